@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Display.h"
+
+#include "Failure.h"
+
+#include "vtkRenderWindow.h"
+
+#include <cstdlib>
+#include <string>
+
+#ifdef EXABRICKS_RENDER_HAS_X11
+#include <X11/Xlib.h>
+#endif
+
+namespace render
+{
+
+namespace
+{
+
+bool XServerAnswers()
+{
+#ifdef EXABRICKS_RENDER_HAS_X11
+  Display* display = XOpenDisplay(nullptr);
+  if (display)
+  {
+    XCloseDisplay(display);
+  }
+  return display != nullptr;
+#else
+  const char* name = std::getenv("DISPLAY");
+  return name && *name;
+#endif
+}
+
+}
+
+vtkSmartPointer<vtkRenderWindow> MakeWindow()
+{
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  // From 9.4 on VTK makes a window of another class by itself where no X server answers.
+  if (std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow" && !XServerAnswers())
+  {
+    const char* name = std::getenv("DISPLAY");
+    throw Failure(ExitCode::RenderingFailed,
+      "This version of VTK draws with an X server, off screen too, and none answers (DISPLAY is " +
+        (name && *name ? "'" + std::string(name) + "'" : std::string("not set")) +
+        "): run it under xvfb-run, as in xvfb-run -a exabricks-render ...");
+  }
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  return window;
+}
+
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window that is drawn in, off screen.
+
+#ifndef Display_h
+#define Display_h
+
+#include "vtkSmartPointer.h"
+
+class vtkRenderWindow;
+
+namespace render
+{
+
+// Throws Failure(RenderingFailed) where VTK would abort the program: it needs an X server and there
+// is none.
+vtkSmartPointer<vtkRenderWindow> MakeWindow();
+
+}
+
+#endif

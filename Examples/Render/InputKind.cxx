@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "InputKind.h"
+
+#include "Failure.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace render
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void Refuse(const std::string& message)
+{
+  throw Failure(ExitCode::InputUnreadable, message);
+}
+
+// An AMReX plotfile is a folder; its file Header begins with a line such as HyperCLaw-V1.1.
+void CheckPlotfile(const std::string& folder)
+{
+  const std::string advice = " Give the folder of an AMReX plotfile, such as plt00216.";
+  std::ifstream header(fs::path(folder) / "Header");
+  if (!header)
+  {
+    Refuse("The folder '" + folder + "' holds no readable file named Header." + advice);
+  }
+  std::string version;
+  int arrays = 0;
+  if (!std::getline(header, version) || version.find("-V") == std::string::npos ||
+    !(header >> arrays) || arrays < 1)
+  {
+    Refuse("The file Header in '" + folder +
+      "' is not that of a plotfile: it should begin with a " +
+      "version, such as HyperCLaw-V1.1, and the number of arrays." + advice);
+  }
+}
+
+void CheckHDF(const std::string& path)
+{
+  char signature[8] = {};
+  std::ifstream(path, std::ios::binary).read(signature, sizeof(signature));
+  if (std::string(signature, sizeof(signature)) != "\x89HDF\r\n\x1a\n")
+  {
+    Refuse("'" + path + "' is not an HDF5 file: check that it was copied whole.");
+  }
+}
+
+// Enzo: grids are listed in NAME.hierarchy, parameters are in NAME beside it.
+void CheckHierarchy(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string word;
+  if (!(file >> word) || word != "Grid")
+  {
+    Refuse("'" + path + "' is not an Enzo hierarchy: it should begin with 'Grid = 1'.");
+  }
+  const fs::path parameters = fs::path(path).replace_extension();
+  if (!std::ifstream(parameters))
+  {
+    Refuse("There is no readable file '" + parameters.string() +
+      "', which holds the parameters of this Enzo data set: copy it there.");
+  }
+}
+
+}
+
+InputKind FindInputKind(const std::string& path)
+{
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+  {
+    Refuse("There is no file or folder '" + path + "': check the path.");
+  }
+  if (fs::is_directory(path, ignored))
+  {
+    CheckPlotfile(path);
+    return InputKind::AMReX;
+  }
+  if (!std::ifstream(path))
+  {
+    Refuse("The file '" + path + "' may not be read: check its permissions.");
+  }
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".vthb" || ending == ".vth")
+  {
+    return InputKind::XML;
+  }
+  if (ending == ".hierarchy")
+  {
+    CheckHierarchy(path);
+    return InputKind::Enzo;
+  }
+  if (ending == ".hdf5" || ending == ".vtkhdf")
+  {
+    CheckHDF(path);
+    return ending == ".hdf5" ? InputKind::Flash : InputKind::VTKHDF;
+  }
+  Refuse("'" + path +
+    "' is of no known kind. Expected a .vthb, .vth, .hierarchy, .hdf5 or .vtkhdf file, or the "
+    "folder of an AMReX plotfile.");
+}
+
+}

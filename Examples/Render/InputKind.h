@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What kind of data set a path leads to, by its name and by its first bytes: VTK's readers can
+// crash on what they do not expect.
+
+#ifndef InputKind_h
+#define InputKind_h
+
+#include <string>
+
+namespace render
+{
+
+enum class InputKind
+{
+  AMReX,
+  Enzo,
+  Flash,
+  VTKHDF,
+  XML
+};
+
+// Throws Failure(InputUnreadable) with what is missing.
+InputKind FindInputKind(const std::string& path);
+
+}
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Logarithm.h"
+
+#include "Blocks.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+
+#include <cmath>
+#include <limits>
+
+namespace render
+{
+
+namespace
+{
+
+struct LogarithmWorker
+{
+  template <class ArrayType>
+  void operator()(ArrayType* in, vtkFloatArray* out, std::optional<int> component) const
+  {
+    auto result = vtk::DataArrayValueRange<1>(out).begin();
+    for (const auto tuple : vtk::DataArrayTupleRange(in))
+    {
+      double value = 0.0;
+      if (component)
+      {
+        value = static_cast<double>(tuple[*component]);
+      }
+      else
+      {
+        for (const auto v : tuple)
+        {
+          value += static_cast<double>(v) * static_cast<double>(v);
+        }
+        value = std::sqrt(value);
+      }
+      *result++ = value > 0.0 ? static_cast<float>(std::log10(value))
+                              : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+};
+
+}
+
+std::string AddLogarithm(
+  vtkOverlappingAMR* amr, const std::string& array, std::optional<int> component)
+{
+  const std::string name = "log10(" + array + ")";
+  ForEachBlock(amr,
+    [&](vtkDataSet* block)
+    {
+      vtkDataArray* in = block->GetCellData()->GetArray(array.c_str());
+      if (!in)
+      {
+        return;
+      }
+      // The magnitude of a scalar would lose its sign.
+      const auto which = in->GetNumberOfComponents() == 1 ? std::optional<int>(0) : component;
+      vtkNew<vtkFloatArray> out;
+      out->SetName(name.c_str());
+      out->SetNumberOfTuples(in->GetNumberOfTuples());
+      LogarithmWorker worker;
+      if (!vtkArrayDispatch::Dispatch::Execute(in, worker, out.Get(), which))
+      {
+        worker(in, out.Get(), which);
+      }
+      block->GetCellData()->AddArray(out);
+    });
+  return name;
+}
+
+}

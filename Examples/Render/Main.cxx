@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// exabricks-render: draws an AMR data set as a volume into a PNG. The order of the work is the
+// order of this file: options, input, array, picture, output, report.
+
+#include "Display.h"
+#include "Logarithm.h"
+#include "Messages.h"
+#include "OpenAMR.h"
+#include "Options.h"
+#include "Output.h"
+#include "Picture.h"
+#include "Report.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderWindow.h"
+
+#include <chrono>
+#include <iostream>
+
+namespace
+{
+
+using namespace render;
+
+// The array that was named, or the first scalar one.
+ArrayInfo ChooseArray(const Options& options, const AMRFile& file)
+{
+  const ArrayInfo* chosen = nullptr;
+  std::string names;
+  for (const ArrayInfo& array : file.Arrays())
+  {
+    names += (names.empty() ? "" : ", ") + array.Name;
+    if (!chosen && (options.Array.empty() ? array.Components == 1 : array.Name == options.Array))
+    {
+      chosen = &array;
+    }
+  }
+  if (file.Arrays().empty())
+  {
+    throw Failure(ExitCode::InputUnreadable,
+      "'" + options.Input + "' has no cell arrays, and only those are drawn.");
+  }
+  if (!chosen)
+  {
+    throw Failure(ExitCode::BadArguments,
+      options.Array.empty()
+        ? "There is no scalar cell array: choose a vector with --array: " + names
+        : "There is no cell array '" + options.Array + "': choose of " + names);
+  }
+  if (options.Component && *options.Component >= chosen->Components)
+  {
+    throw Failure(ExitCode::BadArguments,
+      "--component " + std::to_string(*options.Component) + ": '" + chosen->Name + "' has " +
+        std::to_string(chosen->Components) + ", counted from 0.");
+  }
+  return *chosen;
+}
+
+void DrawIntoFile(const Options& options)
+{
+  AMRFile file(options.Input);
+  if (options.ListArrays)
+  {
+    PrintArrays(std::cout, file);
+    return;
+  }
+  const ArrayInfo array = ChooseArray(options, file);
+  CheckWritable(options.Output);
+  if (!options.Statistics.empty())
+  {
+    CheckWritable(options.Statistics);
+  }
+
+  auto window = MakeWindow();
+
+  const auto start = std::chrono::steady_clock::now();
+  auto amr = file.Read(array.Name, options.Levels, options.Quiet);
+  const std::chrono::duration<double> readTime = std::chrono::steady_clock::now() - start;
+
+  const std::string drawn =
+    options.Log ? AddLogarithm(amr, array.Name, options.Component) : array.Name;
+  Picture picture(options, window, amr, drawn, options.Log ? 1 : array.Components);
+  picture.Prepare();
+  picture.Draw();
+
+  const render::Run run{ options, file, picture, array, readTime.count() };
+  WritePNG(options.Output, picture.Pixels());
+  if (!options.Statistics.empty())
+  {
+    WriteText(options.Statistics, Statistics(run));
+  }
+  if (!options.Quiet)
+  {
+    PrintReport(std::cout, run);
+  }
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Options options;
+    if (ParseOptions(argc, argv, options))
+    {
+      TakeMessages(options.Quiet);
+      DrawIntoFile(options);
+      ThrowIfErrors(ExitCode::RenderingFailed, "VTK met an error while it cleaned up");
+    }
+    return static_cast<int>(ExitCode::Fine);
+  }
+  catch (const Failure& failure)
+  {
+    std::cerr << "exabricks-render: " << failure.what() << '\n';
+    return static_cast<int>(failure.Code);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "exabricks-render: " << error.what() << '\n';
+    return static_cast<int>(ExitCode::RenderingFailed);
+  }
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OpenAMR.h"
+
+#include "Blocks.h"
+#include "InputKind.h"
+#include "Messages.h"
+
+#include "vtkAMREnzoReader.h"
+#include "vtkAMRFlashReader.h"
+#include "vtkAMReXGridReader.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkVersion.h"
+#include "vtkXMLUniformGridAMRReader.h"
+
+#ifdef EXABRICKS_RENDER_HAS_HDF
+#include "vtkDataArraySelection.h"
+#include "vtkHDFReader.h"
+#endif
+
+#include <filesystem>
+
+namespace render
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+const int AllLevels = 1000000;
+
+template <class ReaderType>
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  auto reader = vtkSmartPointer<ReaderType>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+[[noreturn]] void Refuse(const std::string& message)
+{
+  throw Failure(ExitCode::InputUnreadable, message);
+}
+
+vtkSmartPointer<vtkAlgorithm> ReaderFor(std::string path)
+{
+  // A slash at the end would stay in the names that the AMReX reader makes.
+  while (path.size() > 1 && path.back() == '/')
+  {
+    path.pop_back();
+  }
+  switch (FindInputKind(path))
+  {
+    case InputKind::AMReX:
+      return MakeReader<vtkAMReXGridReader>(path);
+    case InputKind::Enzo:
+      return MakeReader<vtkAMREnzoReader>(path);
+    case InputKind::Flash:
+      return MakeReader<vtkAMRFlashReader>(path);
+    case InputKind::VTKHDF:
+#ifdef EXABRICKS_RENDER_HAS_HDF
+      return MakeReader<vtkHDFReader>(path);
+#else
+      Refuse("This build cannot read .vtkhdf files: VTK's module IOHDF was not there.");
+#endif
+    case InputKind::XML:
+      break;
+  }
+  return MakeReader<vtkXMLUniformGridAMRReader>(path);
+}
+
+// Switches one cell array on, and the others off.
+void SelectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, const std::string& name)
+{
+  for (const ArrayInfo& array : arrays)
+  {
+    const int on = name.empty() || array.Name == name;
+    if (auto* amr = vtkAMRBaseReader::SafeDownCast(reader))
+    {
+      amr->SetCellArrayStatus(array.Name.c_str(), on);
+    }
+    else if (auto* xml = vtkXMLReader::SafeDownCast(reader))
+    {
+      xml->SetCellArrayStatus(array.Name.c_str(), on);
+    }
+#ifdef EXABRICKS_RENDER_HAS_HDF
+    else if (auto* hdf = vtkHDFReader::SafeDownCast(reader))
+    {
+      hdf->GetCellDataArraySelection()->SetArraySetting(array.Name.c_str(), on);
+    }
+#endif
+  }
+}
+
+}
+
+AMRFile::AMRFile(const std::string& path)
+  : Path(path)
+  , Reader(ReaderFor(path))
+{
+  this->Reader->UpdateInformation();
+  ThrowIfErrors(ExitCode::InputUnreadable, "'" + path + "' could not be read");
+  this->FindArrays();
+}
+
+AMRFile::~AMRFile() = default;
+
+const char* AMRFile::ReaderName() const { return this->Reader->GetClassName(); }
+
+void AMRFile::SetLevels(int levels)
+{
+  if (auto* amr = vtkAMRBaseReader::SafeDownCast(this->Reader))
+  {
+    amr->SetMaxLevel(levels > 0 ? levels - 1 : AllLevels);
+  }
+  else if (auto* xml = vtkXMLUniformGridAMRReader::SafeDownCast(this->Reader))
+  {
+    xml->SetMaximumLevelsToReadByDefault(levels);
+  }
+#if defined(EXABRICKS_RENDER_HAS_HDF) && VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  else if (auto* hdf = vtkHDFReader::SafeDownCast(this->Reader))
+  {
+    hdf->SetMaximumLevelsToReadByDefaultForAMR(levels);
+  }
+#endif
+}
+
+void AMRFile::FindArrays()
+{
+  // The AMR readers have scalar arrays only, and list them.
+  if (auto* amr = vtkAMRBaseReader::SafeDownCast(this->Reader))
+  {
+    for (int i = 0; i < amr->GetNumberOfCellArrays(); ++i)
+    {
+      this->CellArrays.push_back({ amr->GetCellArrayName(i), 1 });
+    }
+    return;
+  }
+  this->SetLevels(1);
+  this->Reader->Update();
+  auto amr = this->Output("could not be read");
+  ForEachBlock(amr,
+    [this](vtkDataSet* block)
+    {
+      if (!this->CellArrays.empty())
+      {
+        return; // all blocks have the arrays of the first
+      }
+      vtkCellData* cells = block->GetCellData();
+      for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* array = cells->GetArray(i);
+        if (array && array->GetName() &&
+          std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
+        {
+          this->CellArrays.push_back({ array->GetName(), array->GetNumberOfComponents() });
+        }
+      }
+    });
+}
+
+vtkSmartPointer<vtkOverlappingAMR> AMRFile::Output(const std::string& doing) const
+{
+  ThrowIfErrors(ExitCode::InputUnreadable, "'" + this->Path + "' " + doing);
+  vtkDataObject* output = this->Reader->GetOutputDataObject(0);
+  vtkSmartPointer<vtkOverlappingAMR> amr = vtkOverlappingAMR::SafeDownCast(output);
+  if (!amr)
+  {
+    std::string text = "'" + this->Path + "' is not overlapping AMR: VTK " +
+      vtkVersion::GetVTKVersion() + " read a " + (output ? output->GetClassName() : "nothing") +
+      " from it.";
+    if (fs::path(this->Path).extension() == ".vtkhdf")
+    {
+      text += " AMR in .vtkhdf files needs VTK 9.3 or later.";
+    }
+    Refuse(text);
+  }
+  return amr;
+}
+
+vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int levels, bool quiet)
+{
+  Progress progress("Reading " + this->Path, quiet);
+  progress.Follow(this->Reader);
+  this->SetLevels(levels);
+  SelectOnly(this->Reader, this->CellArrays, array);
+  this->Reader->Update();
+  auto amr = this->Output("could not be read");
+  bool empty = true;
+  ForEachBlock(amr, [&empty](vtkDataSet*) { empty = false; });
+  if (empty)
+  {
+    Refuse("'" + this->Path + "' holds no blocks: there is nothing to draw.");
+  }
+  return amr;
+}
+
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens an AMR data set with the reader of VTK that its name asks for.
+
+#ifndef OpenAMR_h
+#define OpenAMR_h
+
+#include "vtkOverlappingAMR.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace render
+{
+
+struct ArrayInfo
+{
+  std::string Name;
+  int Components = 1;
+};
+
+class AMRFile
+{
+public:
+  // Throws Failure(InputUnreadable) if there is nothing that VTK could read.
+  explicit AMRFile(const std::string& path);
+  ~AMRFile();
+
+  // Class name of the reader.
+  const char* ReaderName() const;
+
+  // Cell arrays. Some readers know them beforehand; for the others this reads the coarsest level.
+  const std::vector<ArrayInfo>& Arrays() const { return this->CellArrays; }
+
+  // Reads one cell array on the first so many levels (0: on all).
+  vtkSmartPointer<vtkOverlappingAMR> Read(const std::string& array, int levels, bool quiet);
+
+private:
+  vtkSmartPointer<vtkOverlappingAMR> Output(const std::string& doing) const;
+  void SetLevels(int levels);
+  void FindArrays();
+
+  const std::string Path;
+  vtkSmartPointer<vtkAlgorithm> Reader;
+  std::vector<ArrayInfo> CellArrays;
+};
+
+}
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Options.h"
+
+#include "ColorMaps.h"
+#include "Failure.h"
+#include "ParseValues.h"
+
+#include "vtkVersion.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace render
+{
+
+namespace
+{
+
+const char* const Description =
+  "Draws an AMR data set as a volume, by active brick regions on a Vulkan device, into a PNG.\n"
+  "All that is not asked for is taken from the data: array, range, opacity and camera.\n"
+  "\n"
+  "INPUT is one of\n"
+  "  a .vthb or .vth file (VTK), an AMReX plotfile (its folder), an Enzo .hierarchy file,\n"
+  "  a FLASH .hdf5 file, or a .vtkhdf file (where VTK can read AMR from it)";
+
+const char* const Footer =
+  "Values in --range and --opacity are those of the array, with --log too.\n"
+  "An opacity holds for one unit distance (--opacity-unit, in the data's length): the picture "
+  "does\n"
+  "not change with the step or the resolution.\n"
+  "\n"
+  "Examples\n"
+  "  What is in a file, then a first picture of one array:\n"
+  "    exabricks-render plt00216 --list-arrays\n"
+  "    exabricks-render plt00216 rings.png --array magvort\n"
+  "  A thin shell around 4 and the core above 10, seen from +y, on white:\n"
+  "    exabricks-render plt00216 rings.png -a magvort --view +y --background white \\\n"
+  "      --opacity 3.5:0,4:0.2,4.5:0,9:0,11:0.5 --opacity-unit 0.01\n"
+  "  Six decades of density, coarse levels only:\n"
+  "    exabricks-render DD0010.hierarchy gas.png -a Density --log --levels 4\n"
+  "  A measurement: median of 20 frames, all numbers in a file:\n"
+  "    exabricks-render data.vthb out.png --frames 20 --stats out.json --device llvmpipe\n"
+  "\n"
+  "Exit codes: 0 fine, 1 rendering failed, 2 bad arguments, 3 input cannot be read,\n"
+  "4 output cannot be written.";
+
+// The options as typed, where a value has to be looked at after CLI11 is through.
+struct Texts
+{
+  std::string Size, Position, Focal, Up, Background, Component, Opacity;
+  std::vector<double> Range;
+};
+
+void AddOptions(CLI::App& app, Options& o, Texts& texts)
+{
+  app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT")->required();
+  app.add_option("output", o.Output, "PNG file to write")->type_name("OUTPUT.png");
+  app.add_flag("--list-arrays", o.ListArrays, "Say what the input holds, and draw nothing");
+  app.add_option("--stats", o.Statistics, "Write all numbers of the run to this file")
+    ->type_name("FILE.json");
+  app.add_flag("-q,--quiet", o.Quiet, "Print nothing but errors");
+
+  const std::string data = "Data";
+  app.add_option("-a,--array", o.Array, "Cell array to draw [the first scalar one]")
+    ->type_name("NAME")
+    ->group(data);
+  app.add_option("--component", texts.Component, "Of a vector: N from 0, or magnitude [magnitude]")
+    ->type_name("N")
+    ->group(data);
+  app.add_flag("--log", o.Log, "Draw log10 of the array; cells not above zero become absent")
+    ->group(data);
+  app.add_option("--levels", o.Levels, "Number of levels to use, from the coarsest [all]")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1000))
+    ->group(data);
+
+  const std::string camera = "Camera";
+  app.add_option("--size", texts.Size, "Size of the picture in pixels [800x600]")
+    ->type_name("WxH")
+    ->group(camera);
+  app
+    .add_option(
+      "--view", o.View, "Side to look from, all data in view: iso +x -x +y -y +z -z [iso]")
+    ->type_name("SIDE")
+    ->check(CLI::IsMember({ "iso", "+x", "-x", "+y", "-y", "+z", "-z" }))
+    ->group(camera);
+  app.add_option("--position", texts.Position, "Place of the camera, instead of --view")
+    ->type_name("X,Y,Z")
+    ->group(camera);
+  app.add_option("--focal", texts.Focal, "Point to look at [centre of the data]")
+    ->type_name("X,Y,Z")
+    ->group(camera);
+  app
+    .add_option(
+      "--up", texts.Up, "Direction that is up in the picture [z, or y if it looks along z]")
+    ->type_name("X,Y,Z")
+    ->group(camera);
+  app.add_option("--view-angle", o.ViewAngle, "Vertical angle of view in degrees [30]")
+    ->type_name("DEG")
+    ->check(CLI::Range(0.1, 170.0))
+    ->group(camera);
+  app.add_flag("--parallel", o.Parallel, "Parallel projection")->group(camera);
+  app.add_option("--zoom", o.Zoom, "Enlarge the picture about its centre [1]")
+    ->type_name("FACTOR")
+    ->check(CLI::PositiveNumber)
+    ->group(camera);
+
+  const std::string look = "Look";
+  app.add_option("--color-map", o.ColorMap, "Colour map: " + ColorMapNames() + " [viridis]")
+    ->type_name("NAME")
+    ->group(look);
+  app.add_option("--range", texts.Range, "Values at the ends of the colour map [all leaf cells]")
+    ->type_name("MIN MAX")
+    ->expected(2)
+    ->group(look);
+  app.add_option("--opacity", texts.Opacity, "Opacity points V:O,V:O,... [from the histogram]")
+    ->type_name("POINTS")
+    ->group(look);
+  app
+    .add_option(
+      "--opacity-unit", o.OpacityUnit, "Distance that opacities hold for [diagonal / 100]")
+    ->type_name("LENGTH")
+    ->check(CLI::PositiveNumber)
+    ->group(look);
+  app.add_option("--background", texts.Background, "Colour behind the volume [black]")
+    ->type_name("R,G,B|NAME")
+    ->group(look);
+
+  const std::string method = "Method";
+  app
+    .add_option(
+      "--reconstruction", o.Reconstruction, "Between cell centres: basis or nearest [basis]")
+    ->type_name("KIND")
+    ->check(CLI::IsMember({ "basis", "nearest" }))
+    ->group(method);
+  app.add_option("--step-scale", o.StepScale, "Step along a ray, as a part of the cell size")
+    ->type_name("S")
+    ->check(CLI::PositiveNumber)
+    ->group(method);
+  app.add_option("--traversal", o.Traversal, "automatic, ray-query or kd-tree [automatic]")
+    ->type_name("KIND")
+    ->check(CLI::IsMember({ "automatic", "ray-query", "kd-tree" }))
+    ->group(method);
+  app.add_option("--device", o.Device, "Vulkan device: index, or part of its name [the best]")
+    ->type_name("WHICH")
+    ->group(method);
+  app.add_option("--frames", o.Frames, "Time N frames after the first, and give the median")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1000000))
+    ->group(method);
+}
+
+void TakeTexts(const Texts& texts, Options& o)
+{
+  auto vector = [](const char* option, const std::string& text, std::optional<Vector3>& v)
+  {
+    if (!text.empty())
+    {
+      v = ParseVector(option, text);
+    }
+  };
+  vector("--position", texts.Position, o.Position);
+  vector("--focal", texts.Focal, o.Focal);
+  vector("--up", texts.Up, o.Up);
+  if (!texts.Size.empty())
+  {
+    o.Size = ParseSize("--size", texts.Size);
+  }
+  if (!texts.Background.empty())
+  {
+    o.Background = ParseColor("--background", texts.Background);
+    o.BackgroundName = texts.Background;
+  }
+  if (!texts.Component.empty())
+  {
+    o.Component = ParseComponent("--component", texts.Component);
+  }
+  if (!texts.Opacity.empty())
+  {
+    o.Opacity = ParseOpacity("--opacity", texts.Opacity);
+  }
+  if (!texts.Range.empty())
+  {
+    o.Range = { { texts.Range[0], texts.Range[1] } };
+  }
+}
+
+void CheckTogether(const Options& o, bool viewGiven)
+{
+  auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
+  if (!o.ListArrays)
+  {
+    if (o.Output.empty())
+    {
+      refuse("No output was named: give a PNG file after the input, such as picture.png.");
+    }
+    if (std::filesystem::path(o.Output).extension() != ".png")
+    {
+      refuse("The output has to end in .png, found '" + o.Output + "'.");
+    }
+  }
+  if (!HasColorMap(o.ColorMap))
+  {
+    refuse("--color-map takes one of " + ColorMapNames() + ", not '" + o.ColorMap + "'.");
+  }
+  if (viewGiven && o.Position)
+  {
+    refuse("--view and --position both place the camera: give one of them.");
+  }
+  if (o.Range && !((*o.Range)[0] < (*o.Range)[1]))
+  {
+    refuse("--range takes MIN and MAX with MIN below MAX, such as --range 0 10.");
+  }
+  if (o.Log && o.Range && (*o.Range)[0] <= 0.0)
+  {
+    refuse("--log draws only values above zero: give a --range that starts above zero.");
+  }
+  if (o.Log && !o.Opacity.empty() && o.Opacity.front().Value <= 0.0)
+  {
+    refuse("--log draws only values above zero: give --opacity points at values above zero.");
+  }
+}
+
+}
+
+bool ParseOptions(int argc, char** argv, Options& options)
+{
+  CLI::App app(Description, "exabricks-render");
+  app.footer(Footer);
+  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version",
+    std::string("exabricks-render " EXABRICKS_VERSION " (VTK ") + vtkVersion::GetVTKVersion() +
+      ")");
+  Texts texts;
+  AddOptions(app, options, texts);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      app.exit(error, std::cout, std::cerr);
+      return false;
+    }
+    throw Failure(ExitCode::BadArguments,
+      std::string(error.what()) + "\nSee exabricks-render --help for what can be asked for.");
+  }
+  TakeTexts(texts, options);
+  CheckTogether(options, app.count("--view") > 0);
+  return true;
+}
+
+}

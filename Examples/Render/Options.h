@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line: what may be asked for, checked as far as it can be without the data.
+
+#ifndef Options_h
+#define Options_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace render
+{
+
+using Vector3 = std::array<double, 3>;
+
+struct OpacityPoint
+{
+  double Value;
+  double Opacity; // per unit distance
+};
+
+struct Options
+{
+  std::string Input;
+  std::string Output;     // PNG
+  std::string Statistics; // JSON; empty: none
+  bool ListArrays = false;
+  bool Quiet = false;
+
+  std::string Array;            // empty: the first scalar one
+  std::optional<int> Component; // none: the magnitude of a vector
+  bool Log = false;
+  int Levels = 0; // 0: all
+
+  std::array<int, 2> Size{ { 800, 600 } };
+  std::string View = "iso";
+  std::optional<Vector3> Position, Focal, Up;
+  double ViewAngle = 30.0; // degrees, of the picture's height
+  bool Parallel = false;
+  double Zoom = 1.0;
+
+  std::string ColorMap = "viridis";
+  std::optional<std::array<double, 2>> Range; // in units of the array, also with Log
+  std::vector<OpacityPoint> Opacity;          // likewise; empty: from the histogram
+  double OpacityUnit = 0.0;                   // 0: from the data
+  Vector3 Background{ { 0.0, 0.0, 0.0 } };
+  std::string BackgroundName = "black";
+
+  std::string Reconstruction = "basis";
+  std::string Traversal = "automatic";
+  std::string Device;
+  double StepScale = 0.0; // 0: the mapper's own
+  int Frames = 0;         // timed after the first
+};
+
+// Reads the command line. False: there is nothing left to do (--help or --version was answered).
+// Throws Failure(BadArguments).
+bool ParseOptions(int argc, char** argv, Options& options);
+
+}
+
+#endif

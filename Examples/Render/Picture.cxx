@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Picture.h"
+
+#include "ColorMaps.h"
+#include "Framing.h"
+#include "Messages.h"
+#include "Opacity.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
+#include "vtkExaBricksVolumeMapper.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace render
+{
+
+namespace
+{
+
+double Seconds(std::chrono::steady_clock::time_point since)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+}
+
+Picture::Picture(const Options& options, vtkRenderWindow* window, vtkOverlappingAMR* amr,
+  const std::string& array, int components)
+  : Asked(options)
+  , VolumeMapper(vtkSmartPointer<vtkExaBricksVolumeMapper>::New())
+  , Volume(vtkSmartPointer<vtkVolume>::New())
+  , Ren(vtkSmartPointer<vtkRenderer>::New())
+  , Window(window)
+{
+  this->VolumeMapper->SetInputDataObject(amr);
+  this->SetUpMapper(array, components);
+  this->Volume->SetMapper(this->VolumeMapper);
+  this->Ren->AddVolume(this->Volume);
+  this->Ren->SetBackground(options.Background.data());
+  this->Window->SetSize(options.Size[0], options.Size[1]);
+  this->Window->AddRenderer(this->Ren);
+}
+
+Picture::~Picture() = default;
+
+vtkExaBricksVolumeMapper* Picture::Mapper() const { return this->VolumeMapper; }
+
+vtkRenderer* Picture::Renderer() const { return this->Ren; }
+
+vtkExaBricksData* Picture::Data() const { return this->VolumeMapper->GetBuilder()->GetOutput(); }
+
+void Picture::SetUpMapper(const std::string& array, int components)
+{
+  vtkExaBricksVolumeMapper* mapper = this->VolumeMapper;
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectScalarArray(array.c_str());
+  if (components > 1 && this->Asked.Component)
+  {
+    mapper->SetVectorModeToComponent();
+    mapper->SetVectorComponent(*this->Asked.Component);
+  }
+  else
+  {
+    mapper->SetVectorModeToMagnitude();
+  }
+
+  if (this->Asked.Reconstruction == "nearest")
+  {
+    mapper->SetReconstructionToNearest();
+  }
+  else
+  {
+    mapper->SetReconstructionToBasis();
+  }
+  if (this->Asked.Traversal == "ray-query")
+  {
+    mapper->SetTraversalToRayQuery();
+  }
+  else if (this->Asked.Traversal == "kd-tree")
+  {
+    mapper->SetTraversalToKdTree();
+  }
+  else
+  {
+    mapper->SetTraversalToAutomatic();
+  }
+  if (this->Asked.StepScale > 0.0)
+  {
+    mapper->SetStepScale(this->Asked.StepScale);
+  }
+  if (!this->Asked.Device.empty())
+  {
+    mapper->SetDevice(this->Asked.Device.c_str());
+  }
+}
+
+void Picture::Prepare()
+{
+  Progress progress("Building bricks and regions", this->Asked.Quiet);
+  progress.Follow(this->VolumeMapper->GetBuilder());
+  const auto start = std::chrono::steady_clock::now();
+  this->VolumeMapper->Update();
+  this->PrepareTime = Seconds(start);
+  ThrowIfErrors(ExitCode::RenderingFailed, "The data could not be made ready for drawing");
+  vtkExaBricksData* data = this->Data();
+  if (!data || data->GetNumberOfLeafCells() <= data->GetNumberOfAbsentCells())
+  {
+    throw Failure(ExitCode::RenderingFailed,
+      this->Asked.Log ? "No cell holds a number above zero: draw the array without --log."
+                      : "No cell of the array holds a number: choose another array.");
+  }
+
+  data->GetScalarRange(this->ColorRange);
+  double bounds[6];
+  data->GetBounds(bounds);
+  this->OpacityUnit =
+    this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit : DefaultOpacityUnit(bounds);
+  this->ChooseOpacity();
+  if (this->Asked.Range)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      const double value = (*this->Asked.Range)[i];
+      this->ColorRange[i] = this->Asked.Log ? std::log10(value) : value;
+    }
+  }
+  this->ApplyProperty();
+  PlaceCamera(this->Asked, bounds, this->Ren->GetActiveCamera());
+  this->Ren->ResetCameraClippingRange(bounds);
+}
+
+void Picture::ChooseOpacity()
+{
+  this->Opacity = this->Asked.Opacity;
+  if (this->Opacity.empty())
+  {
+    double range[2];
+    this->Data()->GetScalarRange(range);
+    vtkNew<vtkIdTypeArray> histogram;
+    this->Data()->GetHistogram(HistogramBins, histogram);
+    const vtkIdType* first = histogram->GetPointer(0);
+    this->Opacity = OpacityFromHistogram(
+      { first, first + histogram->GetNumberOfValues() }, range, !this->Asked.Log);
+  }
+  else if (this->Asked.Log)
+  {
+    for (OpacityPoint& point : this->Opacity)
+    {
+      point.Value = std::log10(point.Value);
+    }
+  }
+}
+
+void Picture::ApplyProperty()
+{
+  // One value only: the map is spread around it.
+  double range[2] = { this->ColorRange[0], this->ColorRange[1] };
+  if (!(range[0] < range[1]))
+  {
+    const double half = std::max(1e-6 * std::abs(range[0]), 1e-30);
+    range[0] -= half;
+    range[1] += half;
+  }
+  vtkNew<vtkColorTransferFunction> colors;
+  FillColorMap(this->Asked.ColorMap, range, colors);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const OpacityPoint& point : this->Opacity)
+  {
+    opacity->AddPoint(point.Value, point.Opacity);
+  }
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(this->OpacityUnit);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOff();
+}
+
+double Picture::DrawFrame()
+{
+  const auto start = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  const double seconds = Seconds(start);
+  ThrowIfErrors(ExitCode::RenderingFailed, "The picture could not be drawn");
+  return seconds;
+}
+
+void Picture::Draw()
+{
+  Progress progress("Drawing", this->Asked.Quiet);
+  this->FirstFrameTime = this->DrawFrame();
+  for (int frame = 0; frame < this->Asked.Frames; ++frame)
+  {
+    this->FrameTimes.push_back(this->DrawFrame());
+    progress.Show((frame + 1.0) / this->Asked.Frames);
+  }
+}
+
+double Picture::MedianFrameTime() const
+{
+  std::vector<double> sorted = this->FrameTimes;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t n = sorted.size();
+  return n == 0 ? 0.0 : 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
+}
+
+vtkSmartPointer<vtkImageData> Picture::Pixels() const
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->SetInputBufferTypeToRGB();
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  ThrowIfErrors(ExitCode::RenderingFailed, "The picture could not be read from the window");
+  return grab->GetOutput();
+}
+
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One volume in a window off screen: sets it up from the options and the data, draws and times it.
+
+#ifndef Picture_h
+#define Picture_h
+
+#include "Options.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkExaBricksData;
+class vtkExaBricksVolumeMapper;
+class vtkImageData;
+class vtkOverlappingAMR;
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkVolume;
+
+namespace render
+{
+
+class Picture
+{
+public:
+  // components: of the array.
+  Picture(const Options& options, vtkRenderWindow* window, vtkOverlappingAMR* amr,
+    const std::string& array, int components);
+  ~Picture();
+
+  // Builds bricks and regions, then chooses what the options leave to the data.
+  void Prepare();
+
+  // Draws once, then as often as is to be timed.
+  void Draw();
+
+  vtkSmartPointer<vtkImageData> Pixels() const;
+
+  vtkExaBricksVolumeMapper* Mapper() const;
+  vtkExaBricksData* Data() const;
+  vtkRenderer* Renderer() const;
+
+  // In the values drawn: logarithms if the options ask for them.
+  double ColorRange[2] = { 0.0, 1.0 };
+  std::vector<OpacityPoint> Opacity;
+  double OpacityUnit = 1.0;
+
+  // Seconds.
+  double PrepareTime = 0.0;
+  double FirstFrameTime = 0.0;
+  std::vector<double> FrameTimes;
+  double MedianFrameTime() const; // of the frames after the first
+
+private:
+  void SetUpMapper(const std::string& array, int components);
+  void ChooseOpacity();
+  void ApplyProperty();
+  double DrawFrame();
+
+  const Options& Asked;
+  vtkSmartPointer<vtkExaBricksVolumeMapper> VolumeMapper;
+  vtkSmartPointer<vtkVolume> Volume;
+  vtkSmartPointer<vtkRenderer> Ren;
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+}
+
+#endif

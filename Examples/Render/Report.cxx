@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Report.h"
+
+#include "Picture.h"
+
+#include "vtkCamera.h"
+#include "vtkExaBricksData.h"
+#include "vtkExaBricksVolumeMapper.h"
+#include "vtkRenderer.h"
+#include "vtkVersion.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace render
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+// What is drawn, such as log10(velocity, component 2).
+std::string ArrayText(const Run& run)
+{
+  std::string text = run.Array.Name;
+  if (run.Array.Components > 1)
+  {
+    text += run.Asked.Component ? ", component " + std::to_string(*run.Asked.Component)
+                                : std::string(", magnitude");
+  }
+  return run.Asked.Log ? "log10(" + text + ")" : text;
+}
+
+std::vector<std::string> OtherArrays(const Run& run)
+{
+  std::vector<std::string> names;
+  for (const ArrayInfo& array : run.File.Arrays())
+  {
+    if (array.Name != run.Array.Name)
+    {
+      names.push_back(array.Name);
+    }
+  }
+  return names;
+}
+
+std::string Mebibytes(double bytes)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << bytes / 1048576.0 << " MiB";
+  return text.str();
+}
+
+std::string Milliseconds(double seconds)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(seconds < 0.1 ? 2 : 0) << 1000.0 * seconds << " ms";
+  return text.str();
+}
+
+double HostBytes(vtkExaBricksData* data) { return 1024.0 * data->GetActualMemorySize(); }
+
+// A line of the report: its name, then the text.
+std::ostream& Line(std::ostream& out, const char* name)
+{
+  return out << std::left << std::setw(10) << name;
+}
+
+void PrintNotes(std::ostream& out, const Run& run)
+{
+  vtkExaBricksData* data = run.Result.Data();
+  double range[2];
+  data->GetScalarRange(range);
+  const vtkIdType absent = data->GetNumberOfAbsentCells();
+  if (absent > 0)
+  {
+    Line(out, "Absent") << absent << " leaf cells, which hold "
+                        << (run.Asked.Log ? "no number above zero" : "no number") << '\n';
+  }
+  if (!run.Asked.Log && range[0] > 0.0 && range[1] > 1000.0 * range[0])
+  {
+    Line(out, "Hint") << "the values span " << std::lround(std::log10(range[1] / range[0]))
+                      << " decades: --log may show more\n";
+  }
+  if (run.Result.Mapper()->GetNumberOfActiveRegions() == 0)
+  {
+    Line(out, "Hint") << "nothing is visible: no value in the data has an opacity above zero\n";
+  }
+}
+
+Json CameraJson(const Run& run)
+{
+  vtkCamera* camera = run.Result.Renderer()->GetActiveCamera();
+  auto vector = [](const double* v) { return Json{ v[0], v[1], v[2] }; };
+  return { { "position", vector(camera->GetPosition()) },
+    { "focal", vector(camera->GetFocalPoint()) }, { "up", vector(camera->GetViewUp()) },
+    { "view_angle", camera->GetViewAngle() }, { "parallel", run.Asked.Parallel },
+    { "parallel_scale", camera->GetParallelScale() } };
+}
+
+Json DataJson(vtkExaBricksData* data)
+{
+  double range[2], bounds[6], spacing[3];
+  data->GetScalarRange(range);
+  data->GetBounds(bounds);
+  data->GetFinestSpacing(spacing);
+  return { { "levels", data->GetNumberOfLevels() }, { "blocks", data->GetNumberOfBlocks() },
+    { "leaf_cells", data->GetNumberOfLeafCells() },
+    { "absent_cells", data->GetNumberOfAbsentCells() }, { "bricks", data->GetNumberOfBricks() },
+    { "regions", data->GetNumberOfRegions() }, { "range", range }, { "bounds", bounds },
+    { "finest_spacing", spacing } };
+}
+
+Json LookJson(const Run& run)
+{
+  Json opacity = Json::array();
+  for (const OpacityPoint& point : run.Result.Opacity)
+  {
+    opacity.push_back({ point.Value, point.Opacity });
+  }
+  return { { "color_map", run.Asked.ColorMap }, { "color_range", run.Result.ColorRange },
+    { "opacity", opacity }, { "opacity_from_histogram", run.Asked.Opacity.empty() },
+    { "opacity_unit", run.Result.OpacityUnit }, { "background", run.Asked.Background } };
+}
+
+Json TimesJson(const Run& run)
+{
+  vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
+  vtkExaBricksData* data = run.Result.Data();
+  Json times = { { "read", run.ReadTime }, { "prepare", run.Result.PrepareTime },
+    { "structure", data->GetStructureTime() }, { "scalars", data->GetScalarsTime() },
+    { "upload", mapper->GetUploadTime() }, { "opacity", mapper->GetOpacityTime() },
+    { "color", mapper->GetColorTime() }, { "march", mapper->GetMarchTime() },
+    { "first_frame", run.Result.FirstFrameTime }, { "frames", run.Result.FrameTimes } };
+  times["frame_median"] =
+    run.Result.FrameTimes.empty() ? Json(nullptr) : Json(run.Result.MedianFrameTime());
+  return times;
+}
+
+}
+
+void PrintArrays(std::ostream& out, const AMRFile& file)
+{
+  for (const ArrayInfo& array : file.Arrays())
+  {
+    out << array.Name;
+    if (array.Components > 1)
+    {
+      out << "  (" << array.Components << " components)";
+    }
+    out << '\n';
+  }
+}
+
+void PrintReport(std::ostream& out, const Run& run)
+{
+  vtkExaBricksData* data = run.Result.Data();
+  vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
+  double range[2];
+  data->GetScalarRange(range);
+
+  Line(out, "Input") << run.Asked.Input << ", " << data->GetNumberOfLevels() << " levels, "
+                     << data->GetNumberOfBlocks() << " blocks, " << data->GetNumberOfLeafCells()
+                     << " leaf cells\n";
+  Line(out, "Array") << ArrayText(run) << ", " << range[0] << " to " << range[1];
+  std::string others;
+  for (const std::string& name : OtherArrays(run))
+  {
+    others += (others.empty() ? "" : ", ") + name;
+  }
+  out << (run.Asked.Array.empty() && !others.empty() ? "; others: " + others : "") << '\n';
+  Line(out, "Bricks") << data->GetNumberOfBricks() << " in " << data->GetNumberOfRegions()
+                      << " regions, " << mapper->GetNumberOfActiveRegions() << " of them active\n";
+  const char* device = mapper->GetDeviceName();
+  const char* traversal = mapper->GetTraversalUsed();
+  Line(out, "Device") << (device ? device : "unknown") << ", "
+                      << (traversal ? traversal : "unknown") << '\n';
+  Line(out, "Set-up") << "read " << Milliseconds(run.ReadTime) << ", structure "
+                      << Milliseconds(data->GetStructureTime()) << ", scalars "
+                      << Milliseconds(data->GetScalarsTime()) << ", upload "
+                      << Milliseconds(mapper->GetUploadTime()) << ", opacity "
+                      << Milliseconds(mapper->GetOpacityTime()) << '\n';
+  Line(out, "Frame") << "first " << Milliseconds(run.Result.FirstFrameTime);
+  if (!run.Result.FrameTimes.empty())
+  {
+    out << ", median of " << run.Result.FrameTimes.size() << " more "
+        << Milliseconds(run.Result.MedianFrameTime());
+  }
+  out << ", march of the last " << Milliseconds(mapper->GetMarchTime()) << '\n';
+  Line(out, "Memory") << Mebibytes(HostBytes(data)) << " host, "
+                      << Mebibytes(static_cast<double>(mapper->GetDeviceMemory())) << " device\n";
+  PrintNotes(out, run);
+  Line(out, "Picture") << run.Asked.Output << ", " << run.Asked.Size[0] << " x "
+                       << run.Asked.Size[1] << '\n';
+}
+
+std::string Statistics(const Run& run)
+{
+  vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
+  const char* device = mapper->GetDeviceName();
+  const char* traversal = mapper->GetTraversalUsed();
+
+  Json json;
+  json["program"] = { { "name", "exabricks-render" }, { "version", EXABRICKS_VERSION },
+    { "vtk", vtkVersion::GetVTKVersion() } };
+  json["input"] = { { "file", run.Asked.Input }, { "reader", run.File.ReaderName() },
+    { "array", run.Array.Name }, { "components", run.Array.Components }, { "component", nullptr },
+    { "log10", run.Asked.Log }, { "other_arrays", OtherArrays(run) } };
+  if (run.Array.Components > 1)
+  {
+    json["input"]["component"] =
+      run.Asked.Component ? Json(*run.Asked.Component) : Json("magnitude");
+  }
+  json["data"] = DataJson(run.Result.Data());
+  json["picture"] = { { "file", run.Asked.Output }, { "size", run.Asked.Size },
+    { "camera", CameraJson(run) }, { "look", LookJson(run) } };
+  json["method"] = { { "device", device ? device : "" },
+    { "traversal", traversal ? traversal : "" }, { "reconstruction", run.Asked.Reconstruction },
+    { "active_regions", mapper->GetNumberOfActiveRegions() } };
+  json["seconds"] = TimesJson(run);
+  json["bytes"] = { { "host", HostBytes(run.Result.Data()) },
+    { "device", mapper->GetDeviceMemory() } };
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}

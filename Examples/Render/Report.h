@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the run did, for people and for programs.
+
+#ifndef Report_h
+#define Report_h
+
+#include "OpenAMR.h"
+#include "Options.h"
+
+#include <iosfwd>
+
+namespace render
+{
+
+class Picture;
+
+struct Run
+{
+  const Options& Asked;
+  const AMRFile& File;
+  const Picture& Result;
+  ArrayInfo Array;
+  double ReadTime = 0.0; // seconds
+};
+
+void PrintArrays(std::ostream& out, const AMRFile& file);
+void PrintReport(std::ostream& out, const Run& run);
+
+// JSON; times in seconds, memory in bytes, lengths in the data's.
+std::string Statistics(const Run& run);
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows how vtkOverlappingAMR changed: VTK 9.6 made it a
+// vtkPartitionedDataSetCollection, whose blocks need not be images.
+#ifndef ExaBricksAdaptersAMRCompatibility_h
+#define ExaBricksAdaptersAMRCompatibility_h
+
+#include "vtkOverlappingAMR.h"
+#include "vtkUniformGrid.h"
+
+#if __has_include("vtkOverlappingAMRMetaData.h")
+#define EXABRICKS_AMR_OF_VTK_9_6
+#include "vtkCartesianGrid.h"
+#endif
+
+namespace exabricks
+{
+inline unsigned int numberOfBlocks(vtkOverlappingAMR* amr, unsigned int level)
+{
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  return amr->GetNumberOfBlocks(level);
+#else
+  return amr->GetNumberOfDataSets(level);
+#endif
+}
+
+/// Null for a block that is not there.
+inline vtkDataSet* getBlock(vtkOverlappingAMR* amr, unsigned int level, unsigned int index)
+{
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  return amr->GetDataSetAsCartesianGrid(level, index);
+#else
+  return amr->GetDataSet(level, index);
+#endif
+}
+
+/// The first block that is there, or null.
+inline vtkDataSet* getFirstBlock(vtkOverlappingAMR* amr)
+{
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int index = 0; index < numberOfBlocks(amr, level); ++index)
+    {
+      if (vtkDataSet* block = getBlock(amr, level, index))
+      {
+        return block;
+      }
+    }
+  }
+  return nullptr;
+}
+}
+
+#endif

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/AMRInput.h"
+
+#include "Adapters/AMRCompatibility.h"
+
+#include "vtkAMRBox.h"
+#include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayAccessor.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace exabricks
+{
+namespace
+{
+std::string blockName(unsigned int level, unsigned int index)
+{
+  return "block " + std::to_string(index) + " of level " + std::to_string(level);
+}
+
+std::string triple(const double v[3])
+{
+  std::ostringstream text;
+  text << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
+  return text.str();
+}
+
+// Whole ratio of the spacings of two levels, or 0. Readers are known to report wrong ratios, but
+// spacings they have to get right.
+std::int64_t findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
+{
+  const glm::dvec3 ratio = coarse / fine;
+  const double whole = std::round(ratio.x);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(std::abs(ratio[axis] - whole) <= 1e-3 * whole))
+    {
+      return 0;
+    }
+  }
+  return static_cast<std::int64_t>(whole);
+}
+
+class Reader
+{
+public:
+  explicit Reader(vtkOverlappingAMR* amr)
+    : AMR(amr)
+  {
+  }
+
+  AMRInput read()
+  {
+    for (unsigned int level = 0; level < this->AMR->GetNumberOfLevels() && this->Well(); ++level)
+    {
+      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Well(); ++index)
+      {
+        if (vtkDataSet* block = getBlock(this->AMR, level, index))
+        {
+          this->AddBlock(level, index, block);
+        }
+      }
+    }
+    if (this->Well() && this->Input.grids.empty())
+    {
+      this->Input.fault = "expected an AMR with at least one block, found none in its " +
+        std::to_string(this->AMR->GetNumberOfLevels()) +
+        " levels. Let the reader read more levels, or check the file";
+    }
+    if (this->Well())
+    {
+      this->FinishLattice();
+    }
+    return std::move(this->Input);
+  }
+
+private:
+  bool Well() const { return this->Input.fault.empty(); }
+
+  void AddBlock(unsigned int level, unsigned int index, vtkDataSet* block)
+  {
+    vtkImageData* grid = vtkImageData::SafeDownCast(block);
+    if (!grid)
+    {
+      this->Input.fault = "expected blocks with uniform spacing (vtkUniformGrid), found a " +
+        std::string(block->GetClassName()) + " in " + blockName(level, index) +
+        ". Resample it to a uniform grid";
+      return;
+    }
+    int points[3];
+    grid->GetDimensions(points);
+    if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+    {
+      this->Input.fault = "expected a 3-D AMR, found " + blockName(level, index) + " with " +
+        std::to_string(points[0]) + " x " + std::to_string(points[1]) + " x " +
+        std::to_string(points[2]) + " points: a 2-D AMR has no volume. Draw it as a surface";
+      return;
+    }
+    if (this->Input.amrLevel.empty() || this->Input.amrLevel.back() != static_cast<int>(level))
+    {
+      this->Input.amrLevel.push_back(static_cast<int>(level));
+      double spacing[3];
+      this->AMR->GetSpacing(level, spacing);
+      this->Spacings.emplace_back(spacing[0], spacing[1], spacing[2]);
+    }
+    const vtkAMRBox& box = this->AMR->GetAMRBox(level, index);
+    Block result;
+    result.level = static_cast<int>(this->Input.amrLevel.size()) - 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      result.cells.lo[axis] = box.GetLoCorner()[axis];
+      result.cells.hi[axis] = std::int64_t(box.GetHiCorner()[axis]) + 1;
+    }
+    this->AddGrid(level, index, grid, result);
+  }
+
+  // A grid may be larger than the AMR box: it has ghost layers. Round-off in its origin is common.
+  void AddGrid(unsigned int level, unsigned int index, vtkImageData* grid, const Block& block)
+  {
+    const glm::dvec3& spacing = this->Spacings.back();
+    const double* origin = this->AMR->GetOrigin();
+    double bounds[6];
+    grid->GetBounds(bounds);
+    int points[3];
+    grid->GetDimensions(points);
+    Int3 offset;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double cells =
+        (origin[axis] - bounds[2 * axis]) / spacing[axis] + static_cast<double>(block.cells.lo[axis]);
+      const double off = std::round(cells);
+      offset[axis] = static_cast<std::int64_t>(off);
+      if (!(std::abs(cells - off) < 0.1) || offset[axis] < 0 ||
+        offset[axis] + block.cells.size()[axis] > points[axis] - 1)
+      {
+        const double corner[3] = { bounds[0], bounds[2], bounds[4] };
+        std::ostringstream text;
+        text << "expected the grid of " << blockName(level, index)
+             << " to lie on the lattice of its level and to hold its AMR box of "
+             << block.cells.size().x << " x " << block.cells.size().y << " x "
+             << block.cells.size().z << " cells, found a grid of " << points[0] - 1 << " x "
+             << points[1] - 1 << " x " << points[2] - 1 << " cells at " << triple(corner)
+             << ". Check the AMR boxes, origin and spacing";
+        this->Input.fault = text.str();
+        return;
+      }
+    }
+    this->Input.hierarchy.blocks.push_back(block);
+    this->Input.grids.emplace_back(grid);
+    this->Input.offsets.push_back(offset);
+  }
+
+  void FinishLattice()
+  {
+    const std::size_t levels = this->Spacings.size();
+    this->Input.hierarchy.cellWidth.assign(levels, 1);
+    for (std::size_t level = levels - 1; level-- > 0;)
+    {
+      const std::int64_t ratio = findRatio(this->Spacings[level], this->Spacings[level + 1]);
+      if (ratio < 2)
+      {
+        this->Input.fault =
+          "expected the same whole refinement ratio of at least 2 along all axes, found spacing " +
+          triple(&this->Spacings[level].x) + " on level " +
+          std::to_string(this->Input.amrLevel[level]) + " and " +
+          triple(&this->Spacings[level + 1].x) + " on level " +
+          std::to_string(this->Input.amrLevel[level + 1]) + ". Check the spacings of the AMR";
+        return;
+      }
+      this->Input.hierarchy.cellWidth[level] = ratio * this->Input.hierarchy.cellWidth[level + 1];
+    }
+    // Of all spacings the coarsest is stored with the least relative error.
+    this->Input.hierarchy.spacing =
+      this->Spacings.front() / static_cast<double>(this->Input.hierarchy.cellWidth.front());
+    const double* origin = this->AMR->GetOrigin();
+    this->Input.hierarchy.origin = { origin[0], origin[1], origin[2] };
+    this->Input.fault = findFault(this->Input.hierarchy);
+  }
+
+  vtkOverlappingAMR* AMR;
+  AMRInput Input;
+  std::vector<glm::dvec3> Spacings; // [level of the hierarchy]
+};
+
+// Reads a row of values as double, for each type of array.
+struct RowReader
+{
+  template <typename Array>
+  void operator()(
+    Array* array, vtkIdType first, std::int64_t count, int component, double* values) const
+  {
+    const vtkDataArrayAccessor<Array> get(array);
+    if (component >= 0)
+    {
+      for (std::int64_t i = 0; i < count; ++i)
+      {
+        values[i] = static_cast<double>(get.Get(first + i, component));
+      }
+      return;
+    }
+    const int components = array->GetNumberOfComponents();
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < components; ++c)
+      {
+        const double value = static_cast<double>(get.Get(first + i, c));
+        sum += value * value;
+      }
+      values[i] = std::sqrt(sum);
+    }
+  }
+};
+
+// All rows of a box, for one type of array.
+struct BoxReader
+{
+  template <typename Array>
+  void operator()(Array* array, const std::vector<vtkIdType>& rows, std::int64_t count,
+    int component, double* values) const
+  {
+    const RowReader readRow;
+    for (const vtkIdType row : rows)
+    {
+      readRow(array, row, count, component, values);
+      values += count;
+    }
+  }
+};
+}
+
+AMRInput readAMR(vtkOverlappingAMR* amr)
+{
+  return Reader(amr).read();
+}
+
+AMRCellSource::AMRCellSource(const AMRInput& input, int component)
+  : Component(component)
+  , Sources(input.grids.size())
+{
+  for (std::size_t b = 0; b < input.grids.size(); ++b)
+  {
+    vtkImageData* grid = input.grids[b];
+    Source& source = this->Sources[b];
+    int points[3];
+    grid->GetDimensions(points);
+    source.GridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
+    source.First = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
+    if (auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+          grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
+    {
+      source.Ghosts = ghosts->GetPointer(0);
+      const Box& cells = input.hierarchy.blocks[b].cells;
+      this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t count) {
+        source.Duplicates = source.Duplicates ||
+          std::any_of(source.Ghosts + first, source.Ghosts + first + count,
+            [](unsigned char ghost) { return ghost & vtkDataSetAttributes::DUPLICATECELL; });
+      });
+    }
+  }
+}
+
+void AMRCellSource::setArray(int block, vtkDataArray* array)
+{
+  this->Sources[block].Array = array;
+}
+
+template <typename Visitor>
+void AMRCellSource::ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const
+{
+  const Int3 n = source.GridCells;
+  for (std::int64_t z = cells.lo.z; z < cells.hi.z; ++z)
+  {
+    for (std::int64_t y = cells.lo.y; y < cells.hi.y; ++y)
+    {
+      const Int3 at = Int3(cells.lo.x, y, z) - source.First;
+      visit(static_cast<vtkIdType>(at.x + n.x * (at.y + n.y * at.z)), cells.size().x);
+    }
+  }
+}
+
+void AMRCellSource::read(int block, const Box& cells, double* values) const
+{
+  const Source& source = this->Sources[block];
+  std::vector<vtkIdType> rows;
+  rows.reserve(static_cast<std::size_t>(cells.size().y * cells.size().z));
+  this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t) { rows.push_back(first); });
+  const std::int64_t count = cells.size().x;
+  const int component = source.Array->GetNumberOfComponents() == 1 ? 0 : this->Component;
+  const BoxReader readBox;
+  vtkDataArray* array = source.Array;
+  if (!vtkArrayDispatch::Dispatch::Execute(array, readBox, rows, count, component, values))
+  {
+    readBox(array, rows, count, component, values);
+  }
+  if (source.Ghosts)
+  {
+    for (const vtkIdType row : rows)
+    {
+      for (std::int64_t i = 0; i < count; ++i, ++values)
+      {
+        if (source.Ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
+        {
+          *values = std::numeric_limits<double>::quiet_NaN();
+        }
+      }
+    }
+  }
+}
+
+bool AMRCellSource::hasDuplicates(int block) const
+{
+  return this->Sources[block].Duplicates;
+}
+
+void AMRCellSource::readDuplicates(int block, const Box& cells, unsigned char* duplicate) const
+{
+  const Source& source = this->Sources[block];
+  this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      *duplicate++ = (source.Ghosts[first + i] & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    }
+  });
+}
+}

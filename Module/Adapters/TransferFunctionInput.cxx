@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/TransferFunctionInput.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace exabricks
+{
+namespace
+{
+// Straight pieces that stand for a curved stretch between two nodes (midpoints, sharpness, colour
+// spaces other than RGB, logarithmic scale): VTK itself draws them from tables of 256 to 1024 for
+// the whole range.
+constexpr int PiecesPerCurve = 64;
+
+// The values at which a function has nodes, or bends between them.
+struct Bends
+{
+  std::set<double> Values;
+
+  void AddStretch(double from, double to, double midpoint, double sharpness, bool straight, bool log)
+  {
+    this->Values.insert(from);
+    this->Values.insert(to);
+    if (straight && !log && midpoint == 0.5 && sharpness == 0.0)
+    {
+      return;
+    }
+    const bool byFactor = log && from > 0.0 && to > 0.0;
+    for (int i = 1; i < PiecesPerCurve; ++i)
+    {
+      const double part = static_cast<double>(i) / PiecesPerCurve;
+      this->Values.insert(
+        byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
+    }
+    this->Values.insert(from + midpoint * (to - from)); // where a sharp stretch jumps
+  }
+
+  void Add(vtkPiecewiseFunction* function)
+  {
+    double node[4]; // value, opacity, midpoint, sharpness
+    double next[4];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      this->Values.insert(node[0]);
+      if (i + 1 < function->GetSize())
+      {
+        function->GetNodeValue(i + 1, next);
+        this->AddStretch(node[0], next[0], node[2], node[3], true, function->GetUseLogScale());
+      }
+    }
+  }
+
+  void Add(vtkColorTransferFunction* function)
+  {
+    const bool straight = function->GetColorSpace() == VTK_CTF_RGB;
+    const bool log = function->GetScale() == VTK_CTF_LOG10;
+    double node[6]; // value, red, green, blue, midpoint, sharpness
+    double next[6];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      this->Values.insert(node[0]);
+      if (i + 1 < function->GetSize())
+      {
+        function->GetNodeValue(i + 1, next);
+        this->AddStretch(node[0], next[0], node[4], node[5], straight, log);
+      }
+    }
+  }
+};
+
+// Where the function jumps at a bend, a point on each side of it too, one float away: the device
+// compares floats, and a value that sits on a node has to get what VTK gives it there.
+TransferFunction sampleAtBends(
+  const Bends& bends, const Range& range, const std::function<glm::dvec4(double)>& evaluate)
+{
+  if (range.empty())
+  {
+    return {};
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<TransferFunction::Point> points;
+  const auto colorAt = [&](double value) {
+    return glm::clamp(evaluate(value), glm::dvec4(0.0), glm::dvec4(1.0));
+  };
+  const auto add = [&](float normalized, const glm::dvec4& color) {
+    const double value = points.empty() ? normalized
+                                        : std::max<double>(normalized, points.back().value);
+    if (points.empty() || points.back().value != value || points.back().color != color)
+    {
+      points.push_back({ value, color });
+    }
+  };
+  const auto jumps = [](const glm::dvec4& a, const glm::dvec4& b) {
+    const glm::dvec4 change = glm::abs(a - b);
+    return std::max({ change.r, change.g, change.b, change.a }) > 1e-6;
+  };
+  add(0.0f, colorAt(range.min));
+  for (auto bend = bends.Values.lower_bound(range.min);
+       bend != bends.Values.end() && *bend <= range.max; ++bend)
+  {
+    const glm::dvec4 before = colorAt(std::nextafter(*bend, -infinity));
+    const glm::dvec4 at = colorAt(*bend);
+    const glm::dvec4 after = colorAt(std::nextafter(*bend, infinity));
+    const float normalized = static_cast<float>(range.normalize(*bend));
+    if (*bend > range.min && jumps(before, at))
+    {
+      add(std::nextafter(normalized, -1.0f), before);
+    }
+    add(normalized, at);
+    if (*bend < range.max && jumps(at, after))
+    {
+      add(std::nextafter(normalized, 2.0f), after);
+    }
+  }
+  add(static_cast<float>(range.normalize(range.max)), colorAt(range.max));
+  return TransferFunction(std::move(points));
+}
+}
+
+TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)
+{
+  Bends bends;
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
+  bends.Add(opacity);
+  if (property->GetColorChannels(0) == 1)
+  {
+    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction(0);
+    bends.Add(gray);
+    return sampleAtBends(bends, range, [=](double value) {
+      return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value));
+    });
+  }
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction(0);
+  bends.Add(colors);
+  return sampleAtBends(bends, range, [=](double value) {
+    double rgb[3];
+    colors->GetColor(value, rgb);
+    return glm::dvec4(rgb[0], rgb[1], rgb[2], opacity->GetValue(value));
+  });
+}
+
+TransferFunction makeTransferFunction(vtkPiecewiseFunction* opacity, const Range& range)
+{
+  Bends bends;
+  if (!opacity)
+  {
+    return TransferFunction({ { 0.0, glm::dvec4(1.0) } });
+  }
+  bends.Add(opacity);
+  return sampleAtBends(bends, range,
+    [=](double value) { return glm::dvec4(glm::dvec3(1.0), opacity->GetValue(value)); });
+}
+}

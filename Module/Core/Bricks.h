@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bricks: boxes of leaf cells of one level, without holes (Wald et al. 2020, section 4.1).
+#ifndef ExaBricksCoreBricks_h
+#define ExaBricksCoreBricks_h
+
+#include "Core/LeafBoxes.h"
+
+#include <glm/vec3.hpp>
+
+namespace exabricks
+{
+struct Brick
+{
+  Int3 lo{ 0 };          // logical
+  glm::ivec3 cells{ 0 }; // along each axis
+  int level = 0;
+  std::uint64_t firstValue = 0; // of its values in the brick-ordered scalars, x runs fastest
+
+  std::uint64_t numberOfCells() const
+  {
+    return static_cast<std::uint64_t>(this->cells.x) * this->cells.y * this->cells.z;
+  }
+  Box box(std::int64_t cellWidth) const
+  {
+    return { this->lo, this->lo + Int3(this->cells) * cellWidth };
+  }
+};
+
+/// Most cells of a brick along an axis. 8 bits hold it on the device. Small bricks skip empty space
+/// better, large ones need fewer regions: 16 was measured to be best.
+constexpr int DefaultBrickCells = 16;
+constexpr int MaximumBrickCells = 255;
+
+/// Partitions the leaf cells into bricks by a top-down k-d tree over the leaf boxes: a node with more
+/// than one level, or holes, is split along its longest axis at a plane where something changes.
+/// Returns no bricks if `progress` aborts.
+std::vector<Brick> buildBricks(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth,
+  int maximumCells = DefaultBrickCells, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LeafBoxes.h"
+
+#include "Core/BoxIndex.h"
+
+#include <cstdlib>
+
+namespace exabricks
+{
+namespace
+{
+// Of all faces of `cutters` inside `box`, the one that halves its longest axis best.
+std::pair<int, std::int64_t> chooseCut(const Box& box, const std::vector<Box>& cutters)
+{
+  const Int3 size = box.size();
+  int axis = -1;
+  std::int64_t plane = 0;
+  double best = -1.0;
+  for (const Box& cutter : cutters)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      for (const std::int64_t p : { cutter.lo[a], cutter.hi[a] })
+      {
+        // the shorter side of the cut: long for a cut through the middle of a long axis
+        const double score = static_cast<double>(std::min(p - box.lo[a], box.hi[a] - p)) * 16.0 +
+          static_cast<double>(size[a]);
+        if (p > box.lo[a] && p < box.hi[a] && score > best)
+        {
+          best = score;
+          axis = a;
+          plane = p;
+        }
+      }
+    }
+  }
+  return { axis, plane };
+}
+
+std::vector<Box> subtractFromAll(const std::vector<Box>& boxes, const std::vector<Box>& cutters)
+{
+  std::vector<Box> rest;
+  for (const Box& box : boxes)
+  {
+    subtract(box, cutters, rest);
+  }
+  return rest;
+}
+
+// What is left of one block: whole cells, and pieces of cells that are covered in part.
+class VisiblePart
+{
+public:
+  VisiblePart(const Box& box, std::int64_t width)
+    : Whole{ box }
+    , Width(width)
+  {
+  }
+
+  void cover(const BoxIndex& finer)
+  {
+    std::vector<Box> whole;
+    std::vector<Box> cutters;
+    std::vector<Box> cells; // the cutters grown to whole cells
+    for (const Box& box : this->Whole)
+    {
+      cutters.clear();
+      cells.clear();
+      bool aligned = true;
+      finer.forEachIntersecting(box, [&](int i) {
+        cutters.push_back(intersection(box, finer.box(i)));
+        cells.push_back(scaled(outwardToCells(cutters.back(), this->Width), this->Width));
+        aligned = aligned && cells.back() == cutters.back();
+      });
+      const std::size_t before = whole.size();
+      subtract(box, cells, whole);
+      if (!aligned)
+      {
+        std::vector<Box> touched;
+        subtract(box, { whole.begin() + before, whole.end() }, touched);
+        for (const Box& piece : touched)
+        {
+          subtract(piece, cutters, this->Pieces);
+        }
+      }
+    }
+    this->Whole.swap(whole);
+
+    if (!this->Pieces.empty())
+    {
+      std::vector<Box> pieces;
+      for (const Box& piece : this->Pieces)
+      {
+        cutters.clear();
+        finer.forEachIntersecting(piece, [&](int i) { cutters.push_back(finer.box(i)); });
+        subtract(piece, cutters, pieces);
+      }
+      this->Pieces.swap(pieces);
+    }
+  }
+
+  void giveWayTo(const std::vector<Box>& sameLevel)
+  {
+    this->Whole = subtractFromAll(this->Whole, sameLevel);
+  }
+
+  const std::vector<Box>& whole() const { return this->Whole; }
+  const std::vector<Box>& pieces() const { return this->Pieces; }
+
+private:
+  std::vector<Box> Whole;
+  std::vector<Box> Pieces;
+  std::int64_t Width;
+};
+}
+
+void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>& rest)
+{
+  std::vector<Box> inside;
+  for (const Box& cutter : cutters)
+  {
+    if (cutter.contains(box))
+    {
+      return;
+    }
+    if (cutter.intersects(box))
+    {
+      inside.push_back(intersection(cutter, box));
+    }
+  }
+  if (inside.empty())
+  {
+    rest.push_back(box);
+    return;
+  }
+  const auto cut = chooseCut(box, inside);
+  const auto parts = split(box, cut.first, cut.second);
+  subtract(parts.first, inside, rest);
+  subtract(parts.second, inside, rest);
+}
+
+LeafBoxes findLeafBoxes(const Hierarchy& hierarchy)
+{
+  const int levels = hierarchy.levels();
+  std::vector<std::vector<Box>> boxesOfLevel(levels);
+  std::vector<std::vector<int>> rank(levels); // of a box among the blocks, to order overlaps
+  for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
+  {
+    const Block& block = hierarchy.blocks[b];
+    boxesOfLevel[block.level].push_back(hierarchy.logicalBox(block));
+    rank[block.level].push_back(static_cast<int>(b));
+  }
+  std::vector<BoxIndex> index(levels);
+  for (int level = 0; level < levels; ++level)
+  {
+    index[level] = BoxIndex(std::move(boxesOfLevel[level]));
+  }
+
+  LeafBoxes leaves;
+  auto keep = [&](int level, const Box& box) {
+    const Int3 n = box.size() / hierarchy.cellWidth[level];
+    leaves.boxes.push_back({ level, box });
+    leaves.bounds = unite(leaves.bounds, box);
+    leaves.cells += static_cast<std::uint64_t>(n.x) * n.y * n.z;
+  };
+
+  std::vector<Box> earlier;
+  for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
+  {
+    const Block& block = hierarchy.blocks[b];
+    const Box box = hierarchy.logicalBox(block);
+    VisiblePart part(box, hierarchy.cellWidth[block.level]);
+    earlier.clear();
+    index[block.level].forEachIntersecting(box, [&](int i) {
+      if (rank[block.level][i] < static_cast<int>(b))
+      {
+        earlier.push_back(index[block.level].box(i));
+      }
+    });
+    if (!earlier.empty())
+    {
+      part.giveWayTo(earlier);
+    }
+    for (int finer = block.level + 1; finer < levels; ++finer)
+    {
+      part.cover(index[finer]);
+    }
+    for (const Box& whole : part.whole())
+    {
+      keep(block.level, whole);
+    }
+    for (const Box& piece : part.pieces())
+    {
+      int level = block.level;
+      while (!alignedTo(piece, hierarchy.cellWidth[level]))
+      {
+        ++level;
+      }
+      keep(level, piece);
+      ++leaves.partlyCoveredBoxes;
+    }
+  }
+  return leaves;
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The visible part of a hierarchy: disjoint boxes of leaf cells, those that no finer block covers.
+#ifndef ExaBricksCoreLeafBoxes_h
+#define ExaBricksCoreLeafBoxes_h
+
+#include "Core/Hierarchy.h"
+
+namespace exabricks
+{
+struct LeafBox
+{
+  int level = 0; // width of its cells
+  Box box;       // logical, whole cells of its level
+};
+
+struct LeafBoxes
+{
+  std::vector<LeafBox> boxes; // disjoint
+  Box bounds;                 // logical, of all boxes
+  std::uint64_t cells = 0;    // leaf cells
+  /// Boxes with what is left of coarse cells that finer blocks cover in part: cut into cells of the
+  /// first level whose cells fit, each with the coarse cell's value.
+  std::size_t partlyCoveredBoxes = 0;
+};
+
+/// Covered is what a finer block of `hierarchy.blocks` covers; where blocks of one level overlap,
+/// each cell is taken once.
+LeafBoxes findLeafBoxes(const Hierarchy& hierarchy);
+
+/// Appends to `rest` disjoint boxes that make up `box` without `cutters`.
+void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>& rest);
+}
+
+#endif

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Regions.h"
+
+#include <limits>
+
+namespace exabricks
+{
+namespace
+{
+// In half cells from the bounds' lower corner.
+struct HalfBox
+{
+  glm::ivec3 lo, hi;
+
+  double area() const
+  {
+    const glm::dvec3 s = glm::dvec3(this->hi) - glm::dvec3(this->lo);
+    return s.x * s.y + s.y * s.z + s.z * s.x;
+  }
+};
+
+LatticeVolume commonVolume(const HalfBox& a, const HalfBox& b)
+{
+  LatticeVolume volume = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t length = std::int64_t(std::min(a.hi[axis], b.hi[axis])) -
+      std::int64_t(std::max(a.lo[axis], b.lo[axis]));
+    volume *= static_cast<LatticeVolume>(std::max<std::int64_t>(length, 0));
+  }
+  return volume;
+}
+
+class Builder
+{
+public:
+  Builder(const std::vector<Brick>& bricks, const Box& bounds,
+    const std::vector<std::int64_t>& cellWidth, int bricksPerRegion, const Progress& progress)
+    : BricksPerRegion(bricksPerRegion)
+    , Report(progress)
+  {
+    this->Tree.bounds = bounds;
+    this->Tree.size = glm::ivec3(bounds.size() * std::int64_t(2));
+    this->Bricks.reserve(bricks.size());
+    this->Supports.reserve(bricks.size());
+    for (const Brick& brick : bricks)
+    {
+      const std::int64_t width = cellWidth[brick.level];
+      const Box box = brick.box(width);
+      const Int3 lo = (box.lo - bounds.lo) * std::int64_t(2);
+      const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
+      this->Bricks.push_back({ glm::ivec3(lo), glm::ivec3(hi) });
+      const Int3 size(this->Tree.size);
+      this->Supports.push_back({ glm::ivec3(glm::max(lo - width, Int3(0))),
+        glm::ivec3(glm::min(hi + width, size)) });
+    }
+  }
+
+  RegionTree build()
+  {
+    this->Lists.resize(this->Supports.size());
+    for (std::size_t i = 0; i < this->Supports.size(); ++i)
+    {
+      this->Lists[i] = static_cast<std::uint32_t>(i);
+    }
+    this->Tree.nodes.push_back({});
+    this->Node({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
+    if (this->Aborted)
+    {
+      this->Tree.nodes.clear();
+    }
+    return std::move(this->Tree);
+  }
+
+private:
+  enum class Cover
+  {
+    None,
+    Partial,
+    Full
+  };
+
+  Cover FindCover(const HalfBox& box, std::size_t begin) const
+  {
+    LatticeVolume volume = 0;
+    for (std::size_t i = begin; i < this->Lists.size(); ++i)
+    {
+      volume += commonVolume(box, this->Bricks[this->Lists[i]]);
+    }
+    return volume == 0 ? Cover::None
+                       : volume == commonVolume(box, box) ? Cover::Full : Cover::Partial;
+  }
+
+  // The node's list is the end of Lists, from `begin` on; `share` is its part of the whole work.
+  void Node(const HalfBox& box, std::size_t node, std::size_t begin, double share)
+  {
+    if (this->Aborted)
+    {
+      return;
+    }
+    const std::size_t count = this->Lists.size() - begin;
+    this->Best = {};
+    if (count > ExactCount)
+    {
+      this->ChooseMedian(box, begin);
+    }
+    if (this->Best.axis < 0)
+    {
+      const Cover cover = this->FindCover(box, begin);
+      if (cover != Cover::None)
+      {
+        const bool few = count <= static_cast<std::size_t>(this->BricksPerRegion);
+        this->ChoosePlane(box, begin, !few, cover == Cover::Partial);
+      }
+      if (this->Best.axis < 0)
+      {
+        this->Leaf(box, node, cover == Cover::None ? this->Lists.size() : begin, share);
+        return;
+      }
+    }
+
+    const int axis = this->Best.axis;
+    const int plane = this->Best.position;
+    const std::size_t child = this->Tree.nodes.size();
+    this->Tree.nodes[node] = { plane, static_cast<std::uint32_t>(4 * child + axis) };
+    this->Tree.nodes.resize(child + 2);
+    for (int side = 0; side < 2; ++side)
+    {
+      HalfBox part = box;
+      (side ? part.lo : part.hi)[axis] = plane;
+      const std::size_t end = begin + count;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const HalfBox& support = this->Supports[this->Lists[i]];
+        if (side ? support.hi[axis] > plane : support.lo[axis] < plane)
+        {
+          const std::uint32_t brick = this->Lists[i];
+          this->Lists.push_back(brick);
+        }
+      }
+      // the child's list begins where the node's ends
+      this->Node(part, child + side, end, share * 0.5);
+      this->Lists.resize(end);
+    }
+  }
+
+  void Leaf(const HalfBox& box, std::size_t node, std::size_t begin, double share)
+  {
+    const std::uint32_t region = static_cast<std::uint32_t>(this->Tree.regions.size());
+    this->Tree.nodes[node] = { 0, 4 * region + layout::KD_LEAF };
+    this->Tree.regions.push_back({ box.lo, static_cast<std::uint32_t>(this->Tree.brickLists.size()),
+      box.hi, static_cast<std::uint32_t>(this->Lists.size() - begin) });
+    this->Tree.brickLists.insert(
+      this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
+    this->Done += share;
+    if (this->Report && region % 4096 == 0)
+    {
+      this->Aborted = !this->Report(std::min(this->Done, 1.0));
+    }
+  }
+
+  struct Candidate
+  {
+    int axis = -1;
+    int position = 0;
+  };
+
+  // Of the faces inside the node, the one of least cost: area times length of list, both children
+  // added. It isolates boxes with short lists, where most samples are. Supports are cut only while
+  // the list is too long, bricks only where the node lies in data in part.
+  void ChoosePlane(const HalfBox& box, std::size_t begin, bool cutSupports, bool cutBricks)
+  {
+    double bestCost = std::numeric_limits<double>::max();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Positions.clear();
+      for (std::size_t i = begin; i < this->Lists.size(); ++i)
+      {
+        const HalfBox& support = this->Supports[this->Lists[i]];
+        const HalfBox& brick = this->Bricks[this->Lists[i]];
+        for (const int position : { cutSupports ? support.lo[axis] : 0,
+               cutSupports ? support.hi[axis] : 0, cutBricks ? brick.lo[axis] : 0,
+               cutBricks ? brick.hi[axis] : 0 })
+        {
+          if (position > box.lo[axis] && position < box.hi[axis])
+          {
+            this->Positions.push_back(position);
+          }
+        }
+      }
+      std::sort(this->Positions.begin(), this->Positions.end());
+      this->Positions.erase(
+        std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
+      for (const int position : this->Positions)
+      {
+        HalfBox lower = box;
+        HalfBox upper = box;
+        lower.hi[axis] = upper.lo[axis] = position;
+        int lowerCount = 0;
+        int upperCount = 0;
+        for (std::size_t i = begin; i < this->Lists.size(); ++i)
+        {
+          const HalfBox& support = this->Supports[this->Lists[i]];
+          lowerCount += support.lo[axis] < position;
+          upperCount += support.hi[axis] > position;
+        }
+        const double cost = lower.area() * lowerCount + upper.area() * upperCount;
+        if (cost < bestCost)
+        {
+          bestCost = cost;
+          this->Best = { axis, position };
+        }
+      }
+    }
+  }
+
+  // Long lists are halved: the support face nearest to the middle of the longest axis that has one.
+  void ChooseMedian(const HalfBox& box, std::size_t begin)
+  {
+    const glm::ivec3 size = box.hi - box.lo;
+    std::int64_t bestScore = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t i = begin; i < this->Lists.size(); ++i)
+    {
+      const HalfBox& support = this->Supports[this->Lists[i]];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (const int position : { support.lo[axis], support.hi[axis] })
+        {
+          if (position > box.lo[axis] && position < box.hi[axis])
+          {
+            const std::int64_t off =
+              std::abs(2 * (std::int64_t(position) - box.lo[axis]) - std::int64_t(size[axis]));
+            const std::int64_t score = std::int64_t(size[axis]) - off;
+            if (score > bestScore)
+            {
+              bestScore = score;
+              this->Best = { axis, position };
+            }
+          }
+        }
+      }
+    }
+  }
+
+  // Longer lists are split at the middle, shorter ones by cost.
+  static constexpr std::size_t ExactCount = 24;
+
+  const int BricksPerRegion;
+  const Progress& Report;
+  RegionTree Tree;
+  std::vector<HalfBox> Bricks;
+  std::vector<HalfBox> Supports;
+  std::vector<std::uint32_t> Lists; // a stack of the lists of the nodes on the current path
+  double Done = 0.0;
+  bool Aborted = false;
+  Candidate Best;
+  std::vector<int> Positions;
+};
+}
+
+RegionTree buildRegions(const std::vector<Brick>& bricks, const Box& bounds,
+  const std::vector<std::int64_t>& cellWidth, int bricksPerRegion, const Progress& progress)
+{
+  return Builder(bricks, bounds, cellWidth, bricksPerRegion, progress).build();
+}
+}

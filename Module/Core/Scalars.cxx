@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Scalars.h"
+
+#include "Core/BoxIndex.h"
+
+#include <atomic>
+#include <cmath>
+#include <omp.h>
+
+namespace exabricks
+{
+CellSource::~CellSource() = default;
+
+bool CellSource::hasDuplicates(int) const
+{
+  return false;
+}
+
+void CellSource::readDuplicates(int, const Box& cells, unsigned char* duplicate) const
+{
+  std::fill_n(duplicate, static_cast<std::size_t>(cells.volume()), static_cast<unsigned char>(0));
+}
+
+namespace
+{
+// Reads bricks: each cell from the finest block, not finer than the brick, that holds it. (Coarser
+// than the brick where a brick fills the rest of partly covered coarse cells.)
+class BrickReader
+{
+public:
+  BrickReader(const Hierarchy& hierarchy, const CellSource& source)
+    : Grid(hierarchy)
+    , Source(source)
+    , Index(hierarchy.levels())
+    , BlockOf(hierarchy.levels())
+  {
+    std::vector<std::vector<Box>> boxes(hierarchy.levels());
+    for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
+    {
+      const Block& block = hierarchy.blocks[b];
+      boxes[block.level].push_back(hierarchy.logicalBox(block));
+      this->BlockOf[block.level].push_back(static_cast<int>(b));
+    }
+    for (int level = 0; level < hierarchy.levels(); ++level)
+    {
+      this->Index[level] = BoxIndex(std::move(boxes[level]));
+    }
+  }
+
+  struct Scratch
+  {
+    std::vector<double> values;
+    std::vector<double> part;
+    std::vector<unsigned char> duplicate;
+    /// Of the brick's cells: 0 for none yet, else it grows with the level that the value is from, and
+    /// is odd for a duplicate.
+    std::vector<unsigned char> rank;
+  };
+
+  /// The brick's values, x fastest, into scratch.values.
+  void read(const Brick& brick, Scratch& scratch) const
+  {
+    const std::size_t n = brick.numberOfCells();
+    scratch.values.assign(n, std::numeric_limits<double>::quiet_NaN());
+    scratch.rank.assign(n, 0);
+    const Box box = brick.box(this->Grid.cellWidth[brick.level]);
+    std::size_t missing = n;
+    for (int level = brick.level; level >= 0 && missing > 0; --level)
+    {
+      this->Index[level].forEachIntersecting(
+        box, [&](int i) { missing -= this->ReadPart(brick, box, level, i, scratch); });
+    }
+  }
+
+private:
+  // Returns how many of the brick's cells had no value before.
+  std::size_t ReadPart(
+    const Brick& brick, const Box& box, int level, int i, Scratch& scratch) const
+  {
+    const int block = this->BlockOf[level][i];
+    const std::int64_t fine = this->Grid.cellWidth[brick.level];
+    const std::int64_t coarse = this->Grid.cellWidth[level];
+    const Box common = intersection(box, this->Index[level].box(i));
+    const Box target = outwardToCells(common, fine); // cells of the brick
+    const Box cells = outwardToCells(common, coarse); // cells of the block
+    const Int3 size = cells.size();
+    const std::size_t n = static_cast<std::size_t>(cells.volume());
+    const Int3 first = box.lo / fine;
+    const unsigned char real = static_cast<unsigned char>(2 * level + 2);
+
+    if (level == brick.level && n == scratch.values.size() && !this->Source.hasDuplicates(block))
+    {
+      this->Source.read(block, cells, scratch.values.data());
+      const auto added = std::count(scratch.rank.begin(), scratch.rank.end(), 0);
+      std::fill(scratch.rank.begin(), scratch.rank.end(), real);
+      return static_cast<std::size_t>(added);
+    }
+    scratch.part.resize(n);
+    this->Source.read(block, cells, scratch.part.data());
+    scratch.duplicate.assign(n, 0);
+    if (this->Source.hasDuplicates(block))
+    {
+      this->Source.readDuplicates(block, cells, scratch.duplicate.data());
+    }
+    std::size_t added = 0;
+    Int3 c;
+    for (c.z = target.lo.z; c.z < target.hi.z; ++c.z)
+    {
+      for (c.y = target.lo.y; c.y < target.hi.y; ++c.y)
+      {
+        for (c.x = target.lo.x; c.x < target.hi.x; ++c.x)
+        {
+          const Int3 to = c - first;
+          const std::size_t t = to.x + brick.cells.x * (to.y + std::size_t(brick.cells.y) * to.z);
+          Int3 from;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            from[axis] = floorDivide(c[axis] * fine, coarse) - cells.lo[axis];
+          }
+          const std::size_t f = from.x + size.x * (from.y + size.y * from.z);
+          // The finest level wins, and within a level the real cell.
+          const unsigned char rank = scratch.duplicate[f] ? real - 1 : real;
+          if (rank > scratch.rank[t])
+          {
+            added += scratch.rank[t] == 0;
+            scratch.rank[t] = rank;
+            scratch.values[t] = scratch.part[f];
+          }
+        }
+      }
+    }
+    return added;
+  }
+
+  const Hierarchy& Grid;
+  const CellSource& Source;
+  std::vector<BoxIndex> Index;            // [level], logical boxes of its blocks
+  std::vector<std::vector<int>> BlockOf; // [level][box], index into Hierarchy::blocks
+};
+
+// Runs `work(brick, scratch)` for all bricks on all threads; `done` is the part of the whole before.
+template <typename Work>
+bool forEachBrick(
+  std::size_t count, double before, const Progress& progress, const Work& work)
+{
+  std::atomic<bool> aborted{ false };
+  std::atomic<std::size_t> done{ 0 };
+#pragma omp parallel
+  {
+    BrickReader::Scratch scratch;
+#pragma omp for schedule(dynamic, 16)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
+    {
+      if (aborted)
+      {
+        continue;
+      }
+      work(static_cast<std::size_t>(i), scratch);
+      const std::size_t n = ++done;
+      if (progress && omp_get_thread_num() == 0 && n % 64 == 0)
+      {
+        aborted = !progress(before + 0.5 * static_cast<double>(n) / static_cast<double>(count));
+      }
+    }
+  }
+  return !aborted;
+}
+}
+
+Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bricks,
+  const CellSource& source, const Progress& progress)
+{
+  Scalars scalars;
+  const BrickReader reader(hierarchy, source);
+  std::vector<Range> ranges(bricks.size());
+  const bool ranged = forEachBrick(bricks.size(), 0.0, progress,
+    [&](std::size_t b, BrickReader::Scratch& scratch) {
+      reader.read(bricks[b], scratch);
+      for (const double value : scratch.values)
+      {
+        if (std::isfinite(value))
+        {
+          ranges[b].add(value);
+        }
+      }
+    });
+  for (const Range& range : ranges)
+  {
+    scalars.range.add(range);
+  }
+  std::vector<Range>().swap(ranges);
+  if (!ranged)
+  {
+    return scalars;
+  }
+
+  scalars.values.resize(
+    bricks.empty() ? 0 : bricks.back().firstValue + bricks.back().numberOfCells());
+  scalars.brickHasAbsentCells.assign(bricks.size(), 0);
+  std::atomic<std::uint64_t> absentCells{ 0 };
+  const bool gathered = forEachBrick(bricks.size(), 0.5, progress,
+    [&](std::size_t b, BrickReader::Scratch& scratch) {
+      reader.read(bricks[b], scratch);
+      float* to = scalars.values.data() + bricks[b].firstValue;
+      std::uint64_t absent = 0;
+      for (const double value : scratch.values)
+      {
+        const bool there = std::isfinite(value);
+        *to++ = there ? static_cast<float>(scalars.range.normalize(value)) : layout::ABSENT;
+        absent += !there;
+      }
+      scalars.brickHasAbsentCells[b] = absent > 0;
+      absentCells += absent;
+    });
+  scalars.absentCells = absentCells;
+  if (!gathered)
+  {
+    scalars.values.clear();
+  }
+  return scalars;
+}
+
+std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
+{
+  std::vector<ValueRange> ranges(tree.regions.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
+  {
+    const layout::Region& region = tree.regions[r];
+    ValueRange range;
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      const Brick& brick = bricks[tree.brickLists[region.firstBrick + k]];
+      const std::int64_t width = cellWidth[brick.level];
+      const Int3 origin = (brick.lo - tree.bounds.lo) * std::int64_t(2);
+      // Cell i's tent spans (2 i - 1, 2 i + 3) widths in half cells from the brick's corner.
+      glm::ivec3 first, last;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const std::int64_t lo = region.lo[axis] - origin[axis];
+        const std::int64_t hi = region.hi[axis] - origin[axis];
+        first[axis] = static_cast<int>(
+          std::max<std::int64_t>(floorDivide(lo - 3 * width, 2 * width) + 1, 0));
+        last[axis] = static_cast<int>(std::min<std::int64_t>(
+          -floorDivide(-(hi + width), 2 * width), brick.cells[axis]));
+      }
+      const float* values = scalars.values.data() + brick.firstValue;
+      for (int z = first.z; z < last.z; ++z)
+      {
+        for (int y = first.y; y < last.y; ++y)
+        {
+          const float* row =
+            values + brick.cells.x * (y + static_cast<std::size_t>(brick.cells.y) * z);
+          for (int x = first.x; x < last.x; ++x)
+          {
+            const float value = row[x];
+            range.min = value >= 0.0f && value < range.min ? value : range.min;
+            range.max = value > range.max && value >= 0.0f ? value : range.max;
+          }
+        }
+      }
+    }
+    ranges[r] = range;
+  }
+  return ranges;
+}
+}

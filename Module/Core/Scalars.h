@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The values of the leaf cells in brick order, normalised to their range, and the range of values
+// that the reconstruction can take in each region.
+#ifndef ExaBricksCoreScalars_h
+#define ExaBricksCoreScalars_h
+
+#include "Core/Regions.h"
+
+#include <limits>
+
+namespace exabricks
+{
+/// Where the cells' values come from. Called from several threads at once.
+class CellSource
+{
+public:
+  virtual ~CellSource();
+  /// Writes the values of `cells` (in cells of the block's level, inside the block) of block
+  /// `block` of the hierarchy, x fastest. A value that is not finite stands for an absent cell.
+  virtual void read(int block, const Box& cells, double* values) const = 0;
+  /// Whether the block has cells that another block of the level holds too and knows better.
+  virtual bool hasDuplicates(int block) const;
+  /// Writes 1 for such cells, 0 for others.
+  virtual void readDuplicates(int block, const Box& cells, unsigned char* duplicate) const;
+};
+
+struct Range
+{
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return !(this->min <= this->max); }
+  void add(double value)
+  {
+    this->min = std::min(this->min, value);
+    this->max = std::max(this->max, value);
+  }
+  void add(const Range& other)
+  {
+    this->min = std::min(this->min, other.min);
+    this->max = std::max(this->max, other.max);
+  }
+  /// 0 at min, 1 at max; without overflow for any finite range. 0 for a range of one value.
+  double normalize(double value) const
+  {
+    const double half = 0.5 * this->max - 0.5 * this->min;
+    return half > 0.0 ? (0.5 * value - 0.5 * this->min) / half : value - this->min;
+  }
+};
+
+struct Scalars
+{
+  Range range;                           // of the leaf cells that are there, as the source gave it
+  std::vector<float> values;             // [Brick::firstValue ...], in [0, 1], or layout::ABSENT
+  std::vector<unsigned char> brickHasAbsentCells;
+  std::uint64_t absentCells = 0;
+};
+
+/// Reads every leaf cell twice: for the range, then to normalise in double precision. Returns no
+/// values if `progress` aborts.
+Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bricks,
+  const CellSource& source, const Progress& progress = {});
+
+/// Least and greatest normalised value; empty: min > max.
+struct ValueRange
+{
+  float min = std::numeric_limits<float>::infinity();
+  float max = -std::numeric_limits<float>::infinity();
+};
+
+/// Per region: over the cells whose tent reaches into it. The reconstruction is a weighted mean of
+/// them, so it leaves the range by no more than its own rounding.
+std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars);
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A transfer function that is exact at its control points: piecewise linear on normalised values.
+#ifndef ExaBricksCoreTransferFunction_h
+#define ExaBricksCoreTransferFunction_h
+
+#include "Core/Scalars.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace exabricks
+{
+class TransferFunction
+{
+public:
+  struct Point
+  {
+    double value;     // normalised
+    glm::dvec4 color; // red, green, blue, opacity of the unit distance, all in [0, 1]
+  };
+
+  TransferFunction() = default;
+  /// `points` in ascending order; two of equal value are a jump. Values before the first and after
+  /// the last take theirs.
+  explicit TransferFunction(std::vector<Point> points);
+
+  const std::vector<Point>& points() const { return this->Points; }
+  glm::dvec4 evaluate(double value) const;
+
+  /// Whether any value in [range.min, range.max] has an opacity above 0. Decided on the control
+  /// points themselves.
+  bool visible(const ValueRange& range) const;
+
+  /// The device's form of it (see Layout.h).
+  std::vector<layout::TransferBin> makeBins() const;
+  std::vector<layout::TransferKnot> makeKnots() const;
+
+  /// Equal opacity everywhere: the active regions can be kept.
+  bool sameOpacity(const TransferFunction& other) const;
+
+private:
+  std::vector<Point> Points;
+  std::vector<glm::dvec2> Transparent; // maximal intervals of no opacity, in ascending order
+};
+}
+
+#endif

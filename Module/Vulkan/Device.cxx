@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/Device.h"
+
+#include "Vulkan/Faults.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <map>
+
+namespace exabricks
+{
+namespace vulkan
+{
+namespace
+{
+constexpr std::uint32_t ApiVersion = VK_API_VERSION_1_2;
+
+// The context loads libvulkan, and has to outlive the instance.
+struct LoadedInstance
+{
+  vk::raii::Context context;
+  vk::raii::Instance instance = nullptr;
+};
+
+std::shared_ptr<vk::raii::Instance> makeInstance()
+{
+  try
+  {
+    const auto loaded = std::make_shared<LoadedInstance>();
+    const vk::ApplicationInfo application("ExaBricks", 1, "ExaBricks", 1, ApiVersion);
+    loaded->instance =
+      vk::raii::Instance(loaded->context, vk::InstanceCreateInfo({}, &application));
+    return std::shared_ptr<vk::raii::Instance>(loaded, &loaded->instance);
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(std::string("expected a Vulkan loader and driver, found none (") + error.what() +
+      "). Install them (Debian: libvulkan1 and mesa-vulkan-drivers 24.1 or newer)");
+  }
+}
+
+bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name)
+{
+  const auto extensions = device.enumerateDeviceExtensionProperties();
+  return std::any_of(extensions.begin(), extensions.end(),
+    [&](const vk::ExtensionProperties& e) { return std::string(e.extensionName.data()) == name; });
+}
+
+bool hasComputeQueue(const vk::raii::PhysicalDevice& device, std::uint32_t& family)
+{
+  const auto families = device.getQueueFamilyProperties();
+  for (family = 0; family < families.size(); ++family)
+  {
+    if (families[family].queueFlags & vk::QueueFlagBits::eCompute)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Empty, or what the marching pass needs and the device lacks.
+std::string lacks(const vk::raii::PhysicalDevice& device)
+{
+  const vk::PhysicalDeviceProperties properties = device.getProperties();
+  if (properties.apiVersion < ApiVersion)
+  {
+    return "Vulkan 1.2";
+  }
+  const auto features =
+    device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+  const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
+  const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
+  std::uint32_t family = 0;
+  return !v12.bufferDeviceAddress ? "bufferDeviceAddress"
+    : !v12.scalarBlockLayout      ? "scalarBlockLayout"
+    : !core.shaderInt64           ? "shaderInt64"
+    : !core.shaderFloat64         ? "shaderFloat64"
+    : !hasComputeQueue(device, family) ? "a queue for compute"
+                                       : "";
+}
+
+bool canQueryRays(const vk::raii::PhysicalDevice& device)
+{
+  if (!hasExtension(device, VK_KHR_RAY_QUERY_EXTENSION_NAME) ||
+    !hasExtension(device, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) ||
+    !hasExtension(device, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME))
+  {
+    return false;
+  }
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2,
+    vk::PhysicalDeviceRayQueryFeaturesKHR, vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
+  return features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery &&
+    features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure;
+}
+
+int preference(vk::PhysicalDeviceType type)
+{
+  switch (type)
+  {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return 4;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return 3;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return 2;
+    case vk::PhysicalDeviceType::eCpu:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// Device name, and the driver's, since users know "lavapipe" and "llvmpipe" as names too.
+std::string fullName(const vk::raii::PhysicalDevice& device)
+{
+  const auto properties =
+    device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+  const std::string driver =
+    properties.get<vk::PhysicalDeviceDriverProperties>().driverName.data();
+  const std::string name =
+    properties.get<vk::PhysicalDeviceProperties2>().properties.deviceName.data();
+  return name + (driver.empty() ? "" : ", " + (driver == "llvmpipe" ? "lavapipe" : driver));
+}
+
+std::string describe(const std::vector<vk::raii::PhysicalDevice>& devices)
+{
+  std::string text;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    const std::string lack = lacks(devices[i]);
+    text += (i ? "; " : "") + std::to_string(i) + ": " + fullName(devices[i]) +
+      (lack.empty() ? "" : " (lacks " + lack + ")");
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
+{
+  const bool isIndex = !wanted.empty() && wanted.size() < 6 &&
+    std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  std::size_t best = devices.size();
+  int bestPreference = -1;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    const bool asked = wanted.empty() ||
+      (isIndex ? i == std::stoul(wanted)
+               : lowerCase(fullName(devices[i])).find(lowerCase(wanted)) != std::string::npos);
+    const int rank = preference(devices[i].getProperties().deviceType);
+    if (asked && lacks(devices[i]).empty() && rank > bestPreference)
+    {
+      best = i;
+      bestPreference = rank;
+    }
+  }
+  if (best == devices.size())
+  {
+    throw Failure("expected a Vulkan 1.2 device with bufferDeviceAddress, scalarBlockLayout, "
+                  "shaderInt64 and shaderFloat64" +
+      (wanted.empty() ? std::string()
+                      : (isIndex ? " and index " : " and a name with ") + ("'" + wanted + "'")) +
+      ", found " + describe(devices) +
+      ". Choose another one by the property Device or EXABRICKS_DEVICE, or install a driver "
+      "(without a GPU: Mesa's lavapipe)");
+  }
+  return best;
+}
+}
+
+Faults& faults()
+{
+  static Faults faults;
+  return faults;
+}
+
+std::shared_ptr<Device> Device::acquire(const std::string& wanted)
+{
+  static std::mutex mutex;
+  static std::weak_ptr<vk::raii::Instance> sharedInstance;
+  static std::map<std::size_t, std::weak_ptr<Device>> sharedDevices;
+
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::string request = wanted;
+  const char* environment = std::getenv("EXABRICKS_DEVICE");
+  if (request.empty() && environment)
+  {
+    request = environment;
+  }
+  std::shared_ptr<vk::raii::Instance> instance = sharedInstance.lock();
+  if (!instance)
+  {
+    instance = makeInstance();
+    sharedInstance = instance;
+  }
+  vk::raii::PhysicalDevices devices(*instance);
+  const std::size_t index = choose(devices, request);
+  std::shared_ptr<Device> device = sharedDevices[index].lock();
+  if (!device || device->lost())
+  {
+    device = std::make_shared<Device>(instance, std::move(devices[index]));
+    sharedDevices[index] = device;
+  }
+  return device;
+}
+
+std::vector<std::string> Device::list()
+{
+  const auto instance = makeInstance();
+  const vk::raii::PhysicalDevices devices(*instance);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    const std::string lack = lacks(devices[i]);
+    lines.push_back(std::to_string(i) + ": " + fullName(devices[i]) +
+      (!lack.empty()                ? " (cannot be used: lacks " + lack + ")"
+          : canQueryRays(devices[i]) ? " (with ray query)"
+                                     : " (without ray query)"));
+  }
+  return lines;
+}
+
+Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalDevice physical)
+  : Instance(std::move(instance))
+  , Physical(std::move(physical))
+{
+  const vk::PhysicalDeviceProperties properties = this->Physical.getProperties();
+  this->Name = properties.deviceName.data();
+  this->Cpu = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+  this->RayQuery = canQueryRays(this->Physical);
+  this->MemoryBudget = hasExtension(this->Physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+  this->Memory = this->Physical.getMemoryProperties();
+  this->MaximumAllocation = this->Physical
+                              .getProperties2<vk::PhysicalDeviceProperties2,
+                                vk::PhysicalDeviceMaintenance3Properties>()
+                              .get<vk::PhysicalDeviceMaintenance3Properties>()
+                              .maxMemoryAllocationSize;
+
+  std::vector<const char*> extensions;
+  if (this->MemoryBudget)
+  {
+    extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+  }
+  vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2,
+    vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceRayQueryFeaturesKHR,
+    vk::PhysicalDeviceAccelerationStructureFeaturesKHR>
+    chain;
+  chain.get<vk::PhysicalDeviceFeatures2>().features.setShaderInt64(true).setShaderFloat64(true);
+  chain.get<vk::PhysicalDeviceVulkan12Features>().setBufferDeviceAddress(true).setScalarBlockLayout(
+    true);
+  if (this->RayQuery)
+  {
+    extensions.insert(extensions.end(),
+      { VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+        VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME });
+    chain.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().setRayQuery(true);
+    chain.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().setAccelerationStructure(true);
+    const auto limits = this->Physical
+                          .getProperties2<vk::PhysicalDeviceProperties2,
+                            vk::PhysicalDeviceAccelerationStructurePropertiesKHR>()
+                          .get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    this->MaximumBoxes = limits.maxPrimitiveCount;
+    this->ScratchAlignment = limits.minAccelerationStructureScratchOffsetAlignment;
+  }
+  else
+  {
+    chain.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
+    chain.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
+  }
+  std::uint32_t family = 0;
+  hasComputeQueue(this->Physical, family);
+  const float priority = 1.0f;
+  const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
+  chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(
+    extensions);
+  this->Logical = vk::raii::Device(this->Physical, chain.get<vk::DeviceCreateInfo>());
+  this->Queue = vk::raii::Queue(this->Logical, family, 0);
+  this->Pool = vk::raii::CommandPool(
+    this->Logical, { vk::CommandPoolCreateFlagBits::eTransient, family });
+}
+
+std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
+  vk::MemoryPropertyFlags preferred) const
+{
+  std::uint32_t best = this->Memory.memoryTypeCount;
+  std::size_t bestCount = 0;
+  for (std::uint32_t type = 0; type < this->Memory.memoryTypeCount; ++type)
+  {
+    const vk::MemoryPropertyFlags flags = this->memoryFlags(type);
+    if (!(allowed & (1u << type)) || (flags & required) != required)
+    {
+      continue;
+    }
+    std::size_t count = 1;
+    for (const auto bit :
+      { vk::MemoryPropertyFlagBits::eDeviceLocal, vk::MemoryPropertyFlagBits::eHostVisible,
+        vk::MemoryPropertyFlagBits::eHostCached, vk::MemoryPropertyFlagBits::eHostCoherent })
+    {
+      count += (flags & preferred & bit) ? 1 : 0;
+    }
+    if (count > bestCount)
+    {
+      best = type;
+      bestCount = count;
+    }
+  }
+  if (best == this->Memory.memoryTypeCount)
+  {
+    throw Failure("expected a memory type with " + vk::to_string(required) + ", " + this->Name +
+      " has none");
+  }
+  return best;
+}
+
+vk::MemoryPropertyFlags Device::memoryFlags(std::uint32_t type) const
+{
+  return this->Memory.memoryTypes[type].propertyFlags;
+}
+
+vk::DeviceSize Device::availableMemory(std::uint32_t type) const
+{
+  const std::uint32_t heap = this->Memory.memoryTypes[type].heapIndex;
+  vk::DeviceSize available = this->Memory.memoryHeaps[heap].size;
+  if (this->MemoryBudget)
+  {
+    const auto budget = this->Physical
+                          .getMemoryProperties2<vk::PhysicalDeviceMemoryProperties2,
+                            vk::PhysicalDeviceMemoryBudgetPropertiesEXT>()
+                          .get<vk::PhysicalDeviceMemoryBudgetPropertiesEXT>();
+    const vk::DeviceSize all = budget.heapBudget[heap];
+    const vk::DeviceSize used = budget.heapUsage[heap];
+    available = all > used ? all - used : 0;
+  }
+  return std::min<vk::DeviceSize>(available, faults().availableMemory);
+}
+
+void Device::submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (faults().lostSubmits > 0)
+  {
+    --faults().lostSubmits;
+    throw vk::DeviceLostError("simulated");
+  }
+  vk::raii::CommandBuffers buffers(
+    this->Logical, { *this->Pool, vk::CommandBufferLevel::ePrimary, 1 });
+  const vk::raii::CommandBuffer& commands = buffers.front();
+  commands.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
+  // After whatever earlier submissions wrote.
+  const vk::MemoryBarrier everything(vk::AccessFlagBits::eMemoryWrite,
+    vk::AccessFlagBits::eMemoryRead | vk::AccessFlagBits::eMemoryWrite);
+  commands.pipelineBarrier(vk::PipelineStageFlagBits::eAllCommands,
+    vk::PipelineStageFlagBits::eAllCommands, {}, everything, {}, {});
+  record(commands);
+  commands.end();
+  const vk::raii::Fence fence(this->Logical, vk::FenceCreateInfo());
+  const vk::CommandBuffer handle = *commands;
+  this->Queue.submit(vk::SubmitInfo(nullptr, nullptr, handle), *fence);
+  while (this->Logical.waitForFences(*fence, true, 1000000000ull) == vk::Result::eTimeout)
+  {
+  }
+}
+}
+}

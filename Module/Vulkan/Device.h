@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Instance, device and queue: one for each device in use, shared by all renderers of the process and
+// gone with the last. Members throw vk::Error or vulkan::Failure; VolumeRenderer catches them.
+#ifndef ExaBricksVulkanDevice_h
+#define ExaBricksVulkanDevice_h
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+namespace exabricks
+{
+namespace vulkan
+{
+/// What went wrong, for the user.
+class Failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class Device
+{
+public:
+  /// The device of that index or with that text in its name; empty: the best one.
+  static std::shared_ptr<Device> acquire(const std::string& wanted);
+  /// One line for each device.
+  static std::vector<std::string> list();
+
+  Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalDevice physical);
+
+  const vk::raii::Device& handle() const { return this->Logical; }
+  const std::string& name() const { return this->Name; }
+  bool isCpu() const { return this->Cpu; }
+  bool hasRayQuery() const { return this->RayQuery; }
+  vk::DeviceSize maximumAllocation() const { return this->MaximumAllocation; }
+  std::uint64_t maximumBoxes() const { return this->MaximumBoxes; }
+  vk::DeviceSize scratchAlignment() const { return this->ScratchAlignment; }
+
+  /// Memory type with `required` flags among `allowed`, with the most of `preferred`; throws Failure
+  /// if there is none.
+  std::uint32_t findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
+    vk::MemoryPropertyFlags preferred) const;
+  vk::MemoryPropertyFlags memoryFlags(std::uint32_t type) const;
+  /// Bytes that can still be allocated of a memory type, as far as the driver tells.
+  vk::DeviceSize availableMemory(std::uint32_t type) const;
+
+  /// Records commands, submits them and waits for them.
+  void submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
+
+  /// After a device was lost: it is not handed out again.
+  void markLost() { this->Lost = true; }
+  bool lost() const { return this->Lost; }
+
+private:
+  std::shared_ptr<vk::raii::Instance> Instance;
+  vk::raii::PhysicalDevice Physical;
+  std::string Name;
+  bool Cpu = false;
+  bool RayQuery = false;
+  bool MemoryBudget = false;
+  bool Lost = false;
+  vk::DeviceSize MaximumAllocation = 0;
+  std::uint64_t MaximumBoxes = 0;
+  vk::DeviceSize ScratchAlignment = 1;
+  vk::PhysicalDeviceMemoryProperties Memory;
+  vk::raii::Device Logical = nullptr;
+  vk::raii::Queue Queue = nullptr;
+  vk::raii::CommandPool Pool = nullptr;
+  mutable std::mutex Mutex; // queue and pool
+};
+}
+}
+
+#endif

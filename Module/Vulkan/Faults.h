@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faults that tests bring about, since no driver fails on request.
+#ifndef ExaBricksVulkanFaults_h
+#define ExaBricksVulkanFaults_h
+
+#include <cstdint>
+#include <limits>
+
+namespace exabricks
+{
+namespace vulkan
+{
+struct Faults
+{
+  int lostSubmits = 0; // so many next submits fail with "device lost"
+  std::uint64_t availableMemory = std::numeric_limits<std::uint64_t>::max(); // bytes, at most
+};
+
+Faults& faults();
+}
+}
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/MarchPass.h"
+
+#include "MarchKdTreeSpirv.h"
+#include "MarchRayQuerySpirv.h"
+
+#include <cstring>
+
+namespace exabricks
+{
+namespace vulkan
+{
+namespace
+{
+constexpr std::uint32_t GroupSize = 8; // local_size of March.comp
+
+void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSize bytes,
+  Residence residence, const char* what)
+{
+  if (buffer.bytes() < bytes)
+  {
+    buffer = Buffer(); // frees the old one first
+    buffer = Buffer(device, bytes, residence, what);
+  }
+}
+}
+
+MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal)
+  : Owner(std::move(device))
+  , Constants(this->Owner, sizeof(layout::Frame), Residence::Upload, "the frame's constants")
+{
+  const vk::PushConstantRange push(
+    vk::ShaderStageFlagBits::eCompute, 0, sizeof(vk::DeviceAddress));
+  this->Layout =
+    vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
+  const bool rayQuery = traversal == Traversal::RayQuery;
+  const vk::raii::ShaderModule shader(this->Owner->handle(),
+    vk::ShaderModuleCreateInfo({}, rayQuery ? sizeof(MarchRayQuerySpirv) : sizeof(MarchKdTreeSpirv),
+      rayQuery ? MarchRayQuerySpirv : MarchKdTreeSpirv));
+  const vk::PipelineShaderStageCreateInfo stage(
+    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
+  this->Pipeline = vk::raii::Pipeline(
+    this->Owner->handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
+}
+
+void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4>& picture)
+{
+  const std::size_t pixels = static_cast<std::size_t>(view.width) * view.height;
+  provide(this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback, "the picture");
+  if (view.depth)
+  {
+    provide(this->Depth, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
+    this->Depth.upload(view.depth, pixels * sizeof(float));
+  }
+  frame.ndcToHalfCells = view.ndcToHalfCells;
+  frame.ndcToWorld = view.ndcToWorld;
+  frame.width = static_cast<std::uint32_t>(view.width);
+  frame.height = static_cast<std::uint32_t>(view.height);
+  frame.stepScale = static_cast<float>(view.stepScale);
+  frame.inverseUnit = static_cast<float>(1.0 / view.opacityUnitDistance);
+  frame.terminationOpacity = static_cast<float>(view.terminationOpacity);
+  frame.hasDepth = view.depth != nullptr;
+  frame.nearest = view.reconstruction == Reconstruction::Nearest;
+  frame.depth = view.depth ? this->Depth.address() : 0;
+  frame.picture = this->Picture.address();
+  this->Constants.upload(&frame, sizeof(frame));
+
+  this->Owner->submit([&](const vk::raii::CommandBuffer& commands) {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
+    commands.pushConstants<vk::DeviceAddress>(
+      *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, this->Constants.address());
+    commands.dispatch(
+      (frame.width + GroupSize - 1) / GroupSize, (frame.height + GroupSize - 1) / GroupSize, 1);
+    const vk::MemoryBarrier toHost(
+      vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
+      vk::PipelineStageFlagBits::eHost, {}, toHost, {}, {});
+  });
+  picture.resize(pixels);
+  std::memcpy(picture.data(), this->Picture.mapped(), pixels * sizeof(glm::vec4));
+}
+}
+}

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/VolumeRenderer.h"
+
+#include "Vulkan/AccelerationStructure.h"
+#include "Vulkan/MarchPass.h"
+
+#include <chrono>
+
+namespace exabricks
+{
+namespace
+{
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+// Values fill several buffers, none longer than a device allows, each of whole bricks.
+constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
+}
+
+struct VolumeRenderer::Internals
+{
+  // What the caller set.
+  std::string Wanted;
+  Traversal WantedTraversal = Traversal::Automatic;
+  Volume Subject;
+  TransferFunction Transfer;
+
+  // What is on the device. Rebuilt from the above when the device was lost.
+  std::shared_ptr<vulkan::Device> Device;
+  std::vector<vulkan::Buffer> Values;
+  vulkan::Buffer Bricks;
+  vulkan::Buffer Regions;
+  vulkan::Buffer BrickLists;
+  vulkan::Buffer Bins;
+  vulkan::Buffer Knots;
+  vulkan::Buffer Nodes;
+  vulkan::Buffer ActiveList;
+  vulkan::AccelerationStructure Scene;
+  std::unique_ptr<vulkan::MarchPass> Pass;
+  bool VolumeReady = false;
+  bool ColorsReady = false;
+  bool OpacityReady = false;
+
+  Statistics Figures;
+
+  void DropVolume()
+  {
+    this->VolumeReady = false;
+    this->OpacityReady = false;
+    this->Values.clear();
+    this->Bricks = {};
+    this->Regions = {};
+    this->BrickLists = {};
+    this->DropActive();
+  }
+
+  void DropActive()
+  {
+    this->OpacityReady = false;
+    this->Nodes = {};
+    this->ActiveList = {};
+    this->Scene = {};
+  }
+
+  void DropAll()
+  {
+    this->DropVolume();
+    this->ColorsReady = false;
+    this->Bins = {};
+    this->Knots = {};
+    this->Pass.reset();
+    this->Device.reset();
+  }
+
+  void UpdateDevice()
+  {
+    if (!this->Device)
+    {
+      this->Device = vulkan::Device::acquire(this->Wanted);
+      this->Figures.device = this->Device->name();
+    }
+    Traversal traversal = this->WantedTraversal;
+    if (traversal == Traversal::RayQuery && !this->Device->hasRayQuery())
+    {
+      throw vulkan::Failure("expected a device with VK_KHR_ray_query for this traversal, " +
+        this->Device->name() + " lacks it. Use the k-d tree traversal, or the automatic one");
+    }
+    if (traversal == Traversal::Automatic)
+    {
+      // A CPU's ray query walks boxes in software, and slower than the k-d tree.
+      traversal = this->Device->hasRayQuery() && !this->Device->isCpu() ? Traversal::RayQuery
+                                                                       : Traversal::KdTree;
+    }
+    if (!this->Pass || traversal != this->Figures.traversal)
+    {
+      this->DropActive();
+      this->Pass.reset();
+      this->Pass = std::make_unique<vulkan::MarchPass>(this->Device, traversal);
+      this->Figures.traversal = traversal;
+    }
+  }
+
+  void UpdateVolume()
+  {
+    if (this->VolumeReady)
+    {
+      return;
+    }
+    const Stopwatch watch;
+    this->DropVolume();
+    const std::vector<Brick>& bricks = *this->Subject.bricks;
+    const RegionTree& tree = *this->Subject.tree;
+    std::vector<layout::Brick> records;
+    records.reserve(bricks.size());
+    for (std::size_t first = 0; first < bricks.size();)
+    {
+      const std::uint64_t begin = bricks[first].firstValue;
+      std::uint64_t end = begin;
+      std::size_t last = first;
+      for (; last < bricks.size() &&
+           (last == first ||
+             (end - begin + bricks[last].numberOfCells()) * sizeof(float) <= LargestValueBuffer);
+           ++last)
+      {
+        end += bricks[last].numberOfCells();
+      }
+      const vk::DeviceSize bytes = (end - begin) * sizeof(float);
+      this->Values.emplace_back(
+        this->Device, bytes, vulkan::Residence::Device, "the cells' values");
+      this->Values.back().upload(this->Subject.scalars->values.data() + begin, bytes);
+      for (; first < last; ++first)
+      {
+        records.push_back(this->Record(first, begin));
+      }
+    }
+    this->Bricks = vulkan::makeBuffer(this->Device, records, "the bricks");
+    this->Regions = vulkan::makeBuffer(this->Device, tree.regions, "the regions");
+    this->BrickLists = vulkan::makeBuffer(this->Device, tree.brickLists, "the brick lists");
+    this->VolumeReady = true;
+    this->Figures.uploadTime = watch.seconds();
+  }
+
+  layout::Brick Record(std::size_t b, std::uint64_t bufferBegin) const
+  {
+    const Brick& brick = (*this->Subject.bricks)[b];
+    const glm::uvec3 n(brick.cells);
+    layout::Brick record{};
+    record.lo = glm::ivec3((brick.lo - this->Subject.tree->bounds.lo) * std::int64_t(2));
+    record.width = static_cast<int>((*this->Subject.cellWidth)[brick.level]);
+    record.dimensions = n.x | n.y << 8 | n.z << 16 |
+      (this->Subject.scalars->brickHasAbsentCells[b] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
+    record.values =
+      this->Values.back().address() + (brick.firstValue - bufferBegin) * sizeof(float);
+    return record;
+  }
+
+  void UpdateColors()
+  {
+    if (this->ColorsReady)
+    {
+      return;
+    }
+    const Stopwatch watch;
+    this->Bins = vulkan::makeBuffer(this->Device, this->Transfer.makeBins(), "the transfer function");
+    this->Knots =
+      vulkan::makeBuffer(this->Device, this->Transfer.makeKnots(), "the transfer function");
+    this->ColorsReady = true;
+    this->Figures.colorTime = watch.seconds();
+  }
+
+  void UpdateActiveRegions()
+  {
+    if (this->OpacityReady)
+    {
+      return;
+    }
+    const Stopwatch watch;
+    this->DropActive();
+    ActiveRegions active =
+      selectActiveRegions(*this->Subject.tree, *this->Subject.ranges, this->Transfer);
+    this->Figures.activeRegions = active.regions.size();
+    if (this->Figures.traversal == Traversal::KdTree)
+    {
+      this->Nodes = vulkan::makeBuffer(this->Device, active.nodes, "the k-d tree");
+    }
+    else if (!active.regions.empty())
+    {
+      sortByMedianSplits(*this->Subject.tree, active.regions);
+      this->ActiveList = vulkan::makeBuffer(this->Device, active.regions, "the active regions");
+      this->Scene =
+        vulkan::AccelerationStructure(this->Device, *this->Subject.tree, active.regions);
+    }
+    this->OpacityReady = true;
+    this->Figures.opacityTime = watch.seconds();
+  }
+
+  void Update()
+  {
+    this->UpdateDevice();
+    if (this->Subject.tree)
+    {
+      this->UpdateVolume();
+      this->UpdateColors();
+      this->UpdateActiveRegions();
+    }
+    vk::DeviceSize bytes = this->Bricks.bytes() + this->Regions.bytes() + this->BrickLists.bytes() +
+      this->Bins.bytes() + this->Knots.bytes() + this->Nodes.bytes() + this->ActiveList.bytes() +
+      this->Scene.bytes();
+    for (const vulkan::Buffer& values : this->Values)
+    {
+      bytes += values.bytes();
+    }
+    this->Figures.deviceBytes = bytes;
+  }
+
+  void March(const View& view, std::vector<glm::vec4>& picture)
+  {
+    this->Update();
+    if (!this->Subject.tree || this->Figures.activeRegions == 0)
+    {
+      picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
+      return;
+    }
+    const Stopwatch watch;
+    layout::Frame frame{};
+    frame.size = this->Subject.tree->size;
+    frame.regionCount = static_cast<std::uint32_t>(this->Figures.activeRegions);
+    frame.bricks = this->Bricks.address();
+    frame.regions = this->Regions.address();
+    frame.brickLists = this->BrickLists.address();
+    frame.nodes = this->Nodes.address();
+    frame.activeRegions = this->ActiveList.address();
+    frame.transferBins = this->Bins.address();
+    frame.transferKnots = this->Knots.address();
+    frame.scene = this->Scene.address();
+    this->Pass->run(frame, view, picture);
+    this->Figures.marchTime = watch.seconds();
+  }
+
+  // Runs `work`, and turns what is thrown into a message. A lost device is given one more try, with
+  // everything built anew.
+  template <typename Work>
+  std::string Guard(const Work& work)
+  {
+    for (int attempt = 0;; ++attempt)
+    {
+      try
+      {
+        work();
+        return {};
+      }
+      catch (const vk::DeviceLostError& error)
+      {
+        if (this->Device)
+        {
+          this->Device->markLost();
+        }
+        this->DropAll();
+        if (attempt == 1)
+        {
+          return std::string("the Vulkan device was lost twice (") + error.what() +
+            "). Its driver's log may say why; choose another device by the property Device or "
+            "EXABRICKS_DEVICE";
+        }
+      }
+      catch (const std::bad_alloc&)
+      {
+        this->DropAll();
+        return "out of memory on the host";
+      }
+      catch (const vulkan::Failure& failure)
+      {
+        this->DropAll();
+        return failure.what();
+      }
+      catch (const std::exception& error)
+      {
+        this->DropAll();
+        return std::string("Vulkan failed: ") + error.what();
+      }
+    }
+  }
+};
+
+VolumeRenderer::VolumeRenderer()
+  : Data(new Internals)
+{
+}
+
+VolumeRenderer::~VolumeRenderer() = default;
+
+std::string VolumeRenderer::selectDevice(const std::string& wanted)
+{
+  if (wanted != this->Data->Wanted)
+  {
+    this->Data->DropAll();
+    this->Data->Wanted = wanted;
+  }
+  return this->Data->Guard([&] { this->Data->UpdateDevice(); });
+}
+
+void VolumeRenderer::selectTraversal(Traversal traversal)
+{
+  this->Data->WantedTraversal = traversal;
+}
+
+std::string VolumeRenderer::setVolume(const Volume& volume)
+{
+  this->Data->DropVolume();
+  this->Data->Subject = volume;
+  return this->Data->Guard([&] { this->Data->Update(); });
+}
+
+std::string VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
+{
+  this->Data->ColorsReady = false;
+  this->Data->OpacityReady =
+    this->Data->OpacityReady && transfer.sameOpacity(this->Data->Transfer);
+  this->Data->Transfer = transfer;
+  return this->Data->Guard([&] { this->Data->Update(); });
+}
+
+std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& picture)
+{
+  return this->Data->Guard([&] { this->Data->March(view, picture); });
+}
+
+void VolumeRenderer::release()
+{
+  this->Data->DropAll();
+}
+
+const VolumeRenderer::Statistics& VolumeRenderer::statistics() const
+{
+  return this->Data->Figures;
+}
+
+std::vector<std::string> VolumeRenderer::listDevices()
+{
+  try
+  {
+    return vulkan::Device::list();
+  }
+  catch (const std::exception&)
+  {
+    return {};
+  }
+}
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Vulkan layer as the rest of the program sees it: no Vulkan types, nothing is thrown.
+//
+// Order of calls: selectDevice (optional), setVolume, setTransferFunction, render; each of the last
+// three again when its subject changes. Every call returns an empty string, or what went wrong.
+#ifndef ExaBricksVulkanVolumeRenderer_h
+#define ExaBricksVulkanVolumeRenderer_h
+
+#include "Core/ActiveRegions.h"
+
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <string>
+
+namespace exabricks
+{
+enum class Traversal
+{
+  Automatic, // ray query on a GPU that has it, else the k-d tree
+  RayQuery,
+  KdTree
+};
+
+enum class Reconstruction
+{
+  Basis,
+  Nearest
+};
+
+/// Bricks, regions and values to draw. Nothing is copied: all must live as long as it is set.
+struct Volume
+{
+  const RegionTree* tree = nullptr;
+  const std::vector<Brick>* bricks = nullptr;
+  const std::vector<std::int64_t>* cellWidth = nullptr;
+  const Scalars* scalars = nullptr;
+  const std::vector<ValueRange>* ranges = nullptr;
+};
+
+struct View
+{
+  glm::dmat4 ndcToHalfCells{ 1.0 }; // from normalised device coordinates, z in [-1, 1]
+  glm::dmat4 ndcToWorld{ 1.0 };
+  int width = 0; // pixels
+  int height = 0;
+  const float* depth = nullptr; // [height][width], row 0 at the bottom, window depth in [0, 1], or null
+  Reconstruction reconstruction = Reconstruction::Basis;
+  double stepScale = 1.0;           // step in finest cells of the region
+  double opacityUnitDistance = 1.0; // world length
+  double terminationOpacity = 0.999;
+};
+
+class VolumeRenderer
+{
+public:
+  VolumeRenderer();
+  ~VolumeRenderer();
+  VolumeRenderer(const VolumeRenderer&) = delete;
+  VolumeRenderer& operator=(const VolumeRenderer&) = delete;
+
+  /// `wanted`: index among the devices, or part of a device's name; empty: EXABRICKS_DEVICE, else the
+  /// best. A change frees everything on the device used before.
+  std::string selectDevice(const std::string& wanted);
+  void selectTraversal(Traversal traversal);
+
+  std::string setVolume(const Volume& volume);
+  /// Uploads colours; selects the active regions anew when opacity changed.
+  std::string setTransferFunction(const TransferFunction& transfer);
+  /// `picture`: [height][width] of premultiplied red, green, blue, opacity, row 0 at the bottom.
+  std::string render(const View& view, std::vector<glm::vec4>& picture);
+  /// Frees everything on the device.
+  void release();
+
+  struct Statistics
+  {
+    std::string device;
+    Traversal traversal = Traversal::Automatic; // the one used
+    std::size_t activeRegions = 0;
+    std::uint64_t deviceBytes = 0;
+    // seconds, of the last time each was done
+    double uploadTime = 0.0;  // bricks, regions, values
+    double colorTime = 0.0;   // transfer function tables
+    double opacityTime = 0.0; // active regions, acceleration structure or pruned tree
+    double marchTime = 0.0;
+  };
+  const Statistics& statistics() const;
+
+  /// One line for each device: index, name, what it lacks.
+  static std::vector<std::string> listDevices();
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+}
+
+#endif

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksBuilder.h"
+
+#include "Adapters/AMRCompatibility.h"
+#include "Adapters/AMRInput.h"
+#include "Adapters/DataContents.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointDataToCellData.h"
+
+#include <chrono>
+#include <set>
+
+vtkStandardNewMacro(vtkExaBricksBuilder);
+
+namespace
+{
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The names of the arrays that the block has, for messages.
+std::string listArrays(vtkDataSet* block)
+{
+  std::set<std::string> names;
+  for (vtkDataSetAttributes* data :
+    { static_cast<vtkDataSetAttributes*>(block->GetCellData()),
+      static_cast<vtkDataSetAttributes*>(block->GetPointData()) })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* name = data->GetArrayName(i);
+      if (name && std::string(name) != vtkDataSetAttributes::GhostArrayName())
+      {
+        names.insert(
+          "'" + std::string(name) + "'" + (block->GetPointData() == data ? " (points)" : ""));
+      }
+    }
+  }
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text.empty() ? "no arrays" : text;
+}
+}
+
+struct vtkExaBricksBuilder::vtkInternals
+{
+  std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
+  bool SaidPointsAreConverted = false;
+
+  // Points each block of `source` to its array. Returns the array's name; sets `fault`.
+  std::string FindArrays(vtkExaBricksBuilder* self, const exabricks::AMRInput& input,
+    exabricks::AMRCellSource& source, std::string& fault);
+};
+
+std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* self,
+  const exabricks::AMRInput& input, exabricks::AMRCellSource& source, std::string& fault)
+{
+  std::string name;
+  for (std::size_t b = 0; b < input.grids.size(); ++b)
+  {
+    vtkImageData* grid = input.grids[b];
+    int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    vtkSmartPointer<vtkDataArray> array = self->GetInputArrayToProcess(0, grid, association);
+    if (!array)
+    {
+      vtkInformation* wanted = self->GetInputArrayInformation(0);
+      const char* wantedName =
+        wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+      const exabricks::Block& block = input.hierarchy.blocks[b];
+      fault = (wantedName ? "expected an array '" + std::string(wantedName) + "'"
+                          : "expected active scalars") +
+        " in every block, found " + listArrays(grid) + " in one of level " +
+        std::to_string(input.amrLevel[block.level]) +
+        ". Choose one of them by name, and let the reader read it (readers may enable none)";
+      return name;
+    }
+    if (array->GetNumberOfComponents() > 1 && self->VectorMode == COMPONENT &&
+      self->VectorComponent >= array->GetNumberOfComponents())
+    {
+      fault = "expected a component below " + std::to_string(array->GetNumberOfComponents()) +
+        " of array '" + array->GetName() + "', found VectorComponent " +
+        std::to_string(self->VectorComponent);
+      return name;
+    }
+    if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    {
+      vtkNew<vtkImageData> points;
+      points->CopyStructure(grid);
+      points->GetPointData()->AddArray(array);
+      vtkNew<vtkPointDataToCellData> convert;
+      convert->SetInputData(points);
+      convert->Update();
+      array = vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(array->GetName());
+      if (!this->SaidPointsAreConverted)
+      {
+        this->SaidPointsAreConverted = true;
+        vtkWarningWithObjectMacro(self,
+          "'" << array->GetName()
+              << "' is a point array: it is converted to cells with vtkPointDataToCellData.");
+      }
+    }
+    name = array->GetName() ? array->GetName() : "";
+    source.setArray(static_cast<int>(b), array);
+  }
+  return name;
+}
+
+vtkExaBricksBuilder::vtkExaBricksBuilder()
+  : Internals(new vtkInternals)
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;
+
+vtkExaBricksData* vtkExaBricksBuilder::GetOutput()
+{
+  return vtkExaBricksData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkExaBricksBuilder::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+  return 1;
+}
+
+int vtkExaBricksBuilder::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkExaBricksData");
+  return 1;
+}
+
+int vtkExaBricksBuilder::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!vtkExaBricksData::SafeDownCast(vtkDataObject::GetData(outputVector, 0)))
+  {
+    vtkNew<vtkExaBricksData> output;
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+  }
+  return 1;
+}
+
+int vtkExaBricksBuilder::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(inputVector[0], 0);
+  vtkExaBricksData* output = vtkExaBricksData::SafeDownCast(
+    outputVector->GetInformationObject(0)->Get(vtkDataObject::DATA_OBJECT()));
+  output->Initialize();
+  if (!amr)
+  {
+    vtkErrorMacro("Expected a vtkOverlappingAMR, found none. Set the input.");
+    return 0;
+  }
+
+  const exabricks::AMRInput input = exabricks::readAMR(amr);
+  if (!input.fault.empty())
+  {
+    vtkErrorMacro(<< input.fault << ".");
+    return 0;
+  }
+  exabricks::AMRCellSource source(
+    input, this->VectorMode == COMPONENT ? this->VectorComponent : -1);
+  std::string fault;
+  auto contents = std::make_shared<vtkExaBricksData::Contents>();
+  contents->ArrayName = this->Internals->FindArrays(this, input, source, fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+
+  const auto progress = [this](double from, double to) {
+    return [this, from, to](double done) {
+      this->UpdateProgress(from + (to - from) * done);
+      return !this->GetAbortExecute();
+    };
+  };
+  const bool keep = this->Internals->Structure &&
+    this->Internals->Structure->hierarchy.sameStructure(input.hierarchy);
+  if (!keep)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->Internals->Structure.reset();
+    auto structure = std::make_shared<const exabricks::Structure>(
+      exabricks::buildStructure(input.hierarchy, progress(0.0, 0.5)));
+    if (structure->tree.nodes.empty())
+    {
+      return 1; // aborted
+    }
+    if (structure->partlyCoveredBoxes > 0)
+    {
+      vtkWarningMacro("Finer blocks cover some coarse cells in part: the rest of these cells is "
+                      "drawn with their value.");
+    }
+    ++this->NumberOfStructureBuilds;
+    contents->StructureTime = secondsSince(start);
+    this->Internals->Structure = std::move(structure);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const exabricks::Structure& structure = *this->Internals->Structure;
+  contents->Structure = this->Internals->Structure;
+  contents->Origin = input.hierarchy.origin;
+  contents->Spacing = input.hierarchy.spacing;
+  contents->AMRLevel = input.amrLevel;
+  contents->Scalars =
+    exabricks::gatherScalars(input.hierarchy, structure.bricks, source, progress(0.5, 0.95));
+  if (contents->Scalars.values.empty())
+  {
+    return 1; // aborted
+  }
+  contents->Ranges = exabricks::findValueRanges(
+    structure.tree, structure.bricks, input.hierarchy.cellWidth, contents->Scalars);
+  contents->ScalarsTime = secondsSince(start);
+  output->SetContents(std::move(contents));
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkExaBricksBuilder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VectorMode: " << (this->VectorMode == COMPONENT ? "Component" : "Magnitude")
+     << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "NumberOfStructureBuilds: " << this->NumberOfStructureBuilds << "\n";
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExaBricksBuilder
+ * @brief   turns an overlapping AMR into bricks and active brick regions
+ *
+ * Takes a vtkOverlappingAMR in 3-D with any number of levels, any whole refinement ratio per level
+ * and anisotropic spacing, and makes a vtkExaBricksData of one of its arrays, of any type. Choose
+ * the array with SetInputArrayToProcess(0, 0, 0, association, name); without it the active cell
+ * scalars are taken. Point arrays are converted with vtkPointDataToCellData.
+ *
+ * Blocks may be null: a coarse cell counts as covered only where a finer block is really there.
+ * Arrays may be larger than the AMR box (ghost layers). Cells marked HIDDENCELL in vtkGhostType, NaN
+ * and infinite values are absent: transparent, without influence on their neighbours. Cells marked
+ * DUPLICATECELL give way to the real cell where there is one; REFINEDCELL is found anew. Where
+ * finer blocks cover a coarse cell in part, the rest of it keeps its value.
+ *
+ * Bricks and regions are built anew only when the boxes change: another array or time step on the
+ * same boxes keeps them. Values are normalised in double precision to the range of the leaf cells.
+ *
+ * @sa
+ * vtkExaBricksData vtkExaBricksVolumeMapper
+ */
+#ifndef vtkExaBricksBuilder_h
+#define vtkExaBricksBuilder_h
+
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkRenderingVolumeExaBricksModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkExaBricksData;
+class vtkOverlappingAMR;
+
+class VTKRENDERINGVOLUMEEXABRICKS_EXPORT vtkExaBricksBuilder : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkExaBricksBuilder* New();
+  vtkTypeMacro(vtkExaBricksBuilder, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What to take of an array with several components: their magnitude (default), or one of them.
+   * The names are those of vtkSmartVolumeMapper.
+   */
+  enum VectorModeType
+  {
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+  vtkSetClampMacro(VectorMode, int, MAGNITUDE, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  /// How often bricks and regions were built: it does not grow with arrays or time steps on the same
+  /// boxes.
+  vtkGetMacro(NumberOfStructureBuilds, int);
+
+  vtkExaBricksData* GetOutput();
+
+protected:
+  vtkExaBricksBuilder();
+  ~vtkExaBricksBuilder() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int VectorMode = MAGNITUDE;
+  int VectorComponent = 0;
+  int NumberOfStructureBuilds = 0;
+
+private:
+  vtkExaBricksBuilder(const vtkExaBricksBuilder&) = delete;
+  void operator=(const vtkExaBricksBuilder&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksData.h"
+
+#include "Adapters/DataContents.h"
+#include "Adapters/TransferFunctionInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkExaBricksData);
+
+namespace
+{
+// Boxes as voxels, eight points each.
+class VoxelWriter
+{
+public:
+  explicit VoxelWriter(vtkUnstructuredGrid* output)
+    : Output(output)
+  {
+    output->Initialize();
+    this->Points->SetDataTypeToDouble();
+  }
+
+  void Add(const glm::dvec3& lo, const glm::dvec3& hi)
+  {
+    vtkIdType ids[8];
+    for (int i = 0; i < 8; ++i)
+    {
+      ids[i] = this->Points->InsertNextPoint(
+        i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z);
+    }
+    this->Cells->InsertNextCell(8, ids);
+  }
+
+  template <typename Array>
+  static vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType cells)
+  {
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(cells);
+    return array;
+  }
+
+  void Finish()
+  {
+    this->Output->SetPoints(this->Points);
+    this->Output->SetCells(VTK_VOXEL, this->Cells);
+  }
+
+private:
+  vtkUnstructuredGrid* Output;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Cells;
+};
+
+// From normalised to the array's own values.
+void setRange(
+  vtkDoubleArray* array, vtkIdType i, const exabricks::ValueRange& range, const exabricks::Range& all)
+{
+  const bool empty = !(range.min <= range.max);
+  const double extent = all.max - all.min;
+  array->SetTuple2(
+    i, empty ? 1.0 : all.min + range.min * extent, empty ? 0.0 : all.min + range.max * extent);
+}
+}
+
+vtkExaBricksData::vtkExaBricksData() = default;
+vtkExaBricksData::~vtkExaBricksData() = default;
+
+void vtkExaBricksData::SetContents(std::shared_ptr<const Contents> contents)
+{
+  this->Shared = std::move(contents);
+  this->Modified();
+}
+
+void vtkExaBricksData::Initialize()
+{
+  this->Superclass::Initialize();
+  this->Shared.reset();
+}
+
+void vtkExaBricksData::ShallowCopy(vtkDataObject* source)
+{
+  this->Superclass::ShallowCopy(source);
+  if (const vtkExaBricksData* other = vtkExaBricksData::SafeDownCast(source))
+  {
+    this->SetContents(other->Shared);
+  }
+}
+
+void vtkExaBricksData::DeepCopy(vtkDataObject* source)
+{
+  this->Superclass::DeepCopy(source);
+  if (const vtkExaBricksData* other = vtkExaBricksData::SafeDownCast(source))
+  {
+    this->SetContents(other->Shared);
+  }
+}
+
+unsigned long vtkExaBricksData::GetActualMemorySize()
+{
+  unsigned long size = this->Superclass::GetActualMemorySize();
+  if (this->Shared)
+  {
+    const Contents& contents = *this->Shared;
+    size += static_cast<unsigned long>((contents.Structure->bytes() +
+                                         contents.Scalars.values.capacity() * sizeof(float) +
+                                         contents.Scalars.brickHasAbsentCells.capacity() +
+                                         contents.Ranges.capacity() *
+                                           sizeof(exabricks::ValueRange)) /
+      1024);
+  }
+  return size;
+}
+
+int vtkExaBricksData::GetNumberOfLevels()
+{
+  return this->Shared ? this->Shared->Structure->hierarchy.levels() : 0;
+}
+
+vtkIdType vtkExaBricksData::GetNumberOfBlocks()
+{
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->hierarchy.blocks.size())
+                      : 0;
+}
+
+vtkIdType vtkExaBricksData::GetNumberOfLeafCells()
+{
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->leafCells) : 0;
+}
+
+vtkIdType vtkExaBricksData::GetNumberOfBricks()
+{
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->bricks.size()) : 0;
+}
+
+vtkIdType vtkExaBricksData::GetNumberOfRegions()
+{
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->tree.regions.size()) : 0;
+}
+
+vtkIdType vtkExaBricksData::GetNumberOfAbsentCells()
+{
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Scalars.absentCells) : 0;
+}
+
+void vtkExaBricksData::GetScalarRange(double range[2])
+{
+  const bool empty = !this->Shared || this->Shared->Scalars.range.empty();
+  range[0] = empty ? 1.0 : this->Shared->Scalars.range.min;
+  range[1] = empty ? 0.0 : this->Shared->Scalars.range.max;
+}
+
+const char* vtkExaBricksData::GetArrayName()
+{
+  return this->Shared ? this->Shared->ArrayName.c_str() : nullptr;
+}
+
+void vtkExaBricksData::GetBounds(double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (this->Shared)
+  {
+    const glm::dvec3 lo = this->Shared->World(glm::dvec3(0.0));
+    const glm::dvec3 hi = this->Shared->World(glm::dvec3(this->Shared->Structure->tree.size));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = lo[axis];
+      bounds[2 * axis + 1] = hi[axis];
+    }
+  }
+}
+
+void vtkExaBricksData::GetFinestSpacing(double spacing[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = this->Shared ? this->Shared->Spacing[axis] : 1.0;
+  }
+}
+
+double vtkExaBricksData::GetStructureTime()
+{
+  return this->Shared ? this->Shared->StructureTime : 0.0;
+}
+
+double vtkExaBricksData::GetScalarsTime()
+{
+  return this->Shared ? this->Shared->ScalarsTime : 0.0;
+}
+
+void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
+{
+  if (bins < 1 || !counts)
+  {
+    vtkErrorMacro("Expected at least one bin and an array to put the counts into.");
+    return;
+  }
+  counts->SetNumberOfComponents(1);
+  counts->SetNumberOfTuples(bins);
+  counts->FillValue(0);
+  if (!this->Shared)
+  {
+    return;
+  }
+  vtkIdType* count = counts->GetPointer(0);
+  for (const float value : this->Shared->Scalars.values)
+  {
+    if (value >= 0.0f)
+    {
+      ++count[std::min(static_cast<int>(value * static_cast<float>(bins)), bins - 1)];
+    }
+  }
+}
+
+void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
+{
+  VoxelWriter writer(output);
+  if (!this->Shared)
+  {
+    return;
+  }
+  const Contents& contents = *this->Shared;
+  const exabricks::Structure& structure = *contents.Structure;
+  const vtkIdType n = this->GetNumberOfBricks();
+  auto level = VoxelWriter::MakeArray<vtkIntArray>("Level", 1, n);
+  auto cells = VoxelWriter::MakeArray<vtkIntArray>("Cells", 3, n);
+  auto range = VoxelWriter::MakeArray<vtkDoubleArray>("Range", 2, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const exabricks::Brick& brick = structure.bricks[i];
+    const exabricks::Box box = brick.box(structure.hierarchy.cellWidth[brick.level]);
+    writer.Add(contents.Origin + contents.Spacing * glm::dvec3(box.lo),
+      contents.Origin + contents.Spacing * glm::dvec3(box.hi));
+    level->SetValue(i, contents.AMRLevel[brick.level]);
+    cells->SetTuple3(i, brick.cells.x, brick.cells.y, brick.cells.z);
+    exabricks::ValueRange values;
+    for (std::uint64_t k = 0; k < brick.numberOfCells(); ++k)
+    {
+      const float value = contents.Scalars.values[brick.firstValue + k];
+      if (value >= 0.0f)
+      {
+        values.min = std::min(values.min, value);
+        values.max = std::max(values.max, value);
+      }
+    }
+    setRange(range, i, values, contents.Scalars.range);
+  }
+  writer.Finish();
+  output->GetCellData()->AddArray(level);
+  output->GetCellData()->AddArray(cells);
+  output->GetCellData()->AddArray(range);
+}
+
+void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewiseFunction* opacity)
+{
+  VoxelWriter writer(output);
+  if (!this->Shared)
+  {
+    return;
+  }
+  const Contents& contents = *this->Shared;
+  const exabricks::Structure& structure = *contents.Structure;
+  const exabricks::TransferFunction transfer =
+    exabricks::makeTransferFunction(opacity, contents.Scalars.range);
+  const vtkIdType n = this->GetNumberOfRegions();
+  auto level = VoxelWriter::MakeArray<vtkIntArray>("Level", 1, n);
+  auto count = VoxelWriter::MakeArray<vtkIntArray>("BrickCount", 1, n);
+  auto range = VoxelWriter::MakeArray<vtkDoubleArray>("Range", 2, n);
+  auto active = VoxelWriter::MakeArray<vtkIntArray>("Active", 1, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const exabricks::layout::Region& region = structure.tree.regions[i];
+    writer.Add(
+      contents.World(glm::dvec3(region.lo)), contents.World(glm::dvec3(region.hi)));
+    int finest = -1;
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      const std::uint32_t brick = structure.tree.brickLists[region.firstBrick + k];
+      finest = std::max(finest, contents.AMRLevel[structure.bricks[brick].level]);
+    }
+    level->SetValue(i, finest);
+    count->SetValue(i, static_cast<int>(region.brickCount));
+    setRange(range, i, contents.Ranges[i], contents.Scalars.range);
+    active->SetValue(i, region.brickCount > 0 && transfer.visible(contents.Ranges[i]));
+  }
+  writer.Finish();
+  output->GetCellData()->AddArray(level);
+  output->GetCellData()->AddArray(count);
+  output->GetCellData()->AddArray(range);
+  output->GetCellData()->AddArray(active);
+}
+
+void vtkExaBricksData::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  double range[2];
+  this->GetScalarRange(range);
+  os << indent << "Levels: " << this->GetNumberOfLevels() << "\n";
+  os << indent << "Blocks: " << this->GetNumberOfBlocks() << "\n";
+  os << indent << "LeafCells: " << this->GetNumberOfLeafCells() << "\n";
+  os << indent << "AbsentCells: " << this->GetNumberOfAbsentCells() << "\n";
+  os << indent << "Bricks: " << this->GetNumberOfBricks() << "\n";
+  os << indent << "Regions: " << this->GetNumberOfRegions() << "\n";
+  os << indent << "ArrayName: " << (this->Shared ? this->Shared->ArrayName : "(none)") << "\n";
+  os << indent << "ScalarRange: " << range[0] << ", " << range[1] << "\n";
+  os << indent << "StructureTime: " << this->GetStructureTime() << " s\n";
+  os << indent << "ScalarsTime: " << this->GetScalarsTime() << " s\n";
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExaBricksData
+ * @brief   bricks, active brick regions and normalised values of an overlapping AMR
+ *
+ * vtkExaBricksBuilder makes it and vtkExaBricksVolumeMapper draws it. *Bricks* are boxes of leaf
+ * cells (cells that no finer block covers) of one level; *regions* are disjoint boxes that partition
+ * the data's bounds, each with the fixed list of bricks whose support reaches into it. Both can be
+ * looked at as VTK cells.
+ *
+ * @par Thanks:
+ * Wald, Zellmann, Usher, Morrical, Lang, Pascucci, "Ray Tracing Structured AMR Data Using
+ * ExaBricks", IEEE VIS 2020.
+ *
+ * @sa
+ * vtkExaBricksBuilder vtkExaBricksVolumeMapper
+ */
+#ifndef vtkExaBricksData_h
+#define vtkExaBricksData_h
+
+#include "vtkDataObject.h"
+#include "vtkRenderingVolumeExaBricksModule.h" // for the export macro
+
+#include <memory> // for std::shared_ptr
+
+class vtkIdTypeArray;
+class vtkPiecewiseFunction;
+class vtkUnstructuredGrid;
+
+class VTKRENDERINGVOLUMEEXABRICKS_EXPORT vtkExaBricksData : public vtkDataObject
+{
+public:
+  static vtkExaBricksData* New();
+  vtkTypeMacro(vtkExaBricksData, vtkDataObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Initialize() override;
+  void ShallowCopy(vtkDataObject* source) override;
+  /// What it holds never changes, so that a deep copy may share it too.
+  void DeepCopy(vtkDataObject* source) override;
+  /// KiB.
+  unsigned long GetActualMemorySize() override;
+
+  ///@{
+  /**
+   * What it is made of. Levels and blocks that hold no data are not counted.
+   */
+  int GetNumberOfLevels();
+  vtkIdType GetNumberOfBlocks();
+  vtkIdType GetNumberOfLeafCells();
+  vtkIdType GetNumberOfBricks();
+  vtkIdType GetNumberOfRegions();
+  ///@}
+
+  /// Leaf cells without a value: hidden, NaN or infinite.
+  vtkIdType GetNumberOfAbsentCells();
+
+  /// Range of the leaf cells' values; (1, 0) if there are none.
+  void GetScalarRange(double range[2]);
+
+  /// Name of the array, or null.
+  const char* GetArrayName();
+
+  /// World bounds of the leaf cells; an uninitialised bounding box if there are none.
+  void GetBounds(double bounds[6]);
+
+  /// World size of a cell of the finest level.
+  void GetFinestSpacing(double spacing[3]);
+
+  ///@{
+  /**
+   * Seconds that it took to build bricks and regions (0 if they were kept from before), and to read
+   * and normalise the values.
+   */
+  double GetStructureTime();
+  double GetScalarsTime();
+  ///@}
+
+  /// Counts leaf cells in `bins` bins of equal width over the scalar range, each cell once.
+  void GetHistogram(int bins, vtkIdTypeArray* counts);
+
+  /**
+   * The bricks as voxels, with cell arrays "Level" (of the AMR), "Cells" (along x, y, z) and "Range"
+   * (least and greatest value; 1, 0 if all cells are absent).
+   */
+  void GetBricksAsCells(vtkUnstructuredGrid* output);
+
+  /**
+   * The regions as voxels, with cell arrays "Level" (finest of its bricks; -1 if it holds no data),
+   * "BrickCount", "Range" (least and greatest value that the reconstruction can take; 1, 0 if it
+   * holds no data) and "Active" (1 if `opacity` shows anything in it; without `opacity`, if it holds
+   * data).
+   */
+  void GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewiseFunction* opacity = nullptr);
+
+#ifndef __VTK_WRAP__
+  struct Contents;
+  const std::shared_ptr<const Contents>& GetContents() const { return this->Shared; }
+  void SetContents(std::shared_ptr<const Contents> contents);
+#endif
+
+protected:
+  vtkExaBricksData();
+  ~vtkExaBricksData() override;
+
+private:
+  vtkExaBricksData(const vtkExaBricksData&) = delete;
+  void operator=(const vtkExaBricksData&) = delete;
+
+  std::shared_ptr<const Contents> Shared;
+};
+
+#endif

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksVolumeMapper.h"
+
+#include "Adapters/AMRCompatibility.h"
+#include "Adapters/DataContents.h"
+#include "Adapters/OpenGLPicture.h"
+#include "Adapters/TransferFunctionInput.h"
+#include "Adapters/ViewInput.h"
+#include "Vulkan/VolumeRenderer.h"
+#include "vtkExaBricksBuilder.h"
+
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
+#include "vtkTimerLog.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <set>
+
+vtkStandardNewMacro(vtkExaBricksVolumeMapper);
+
+static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
+      static_cast<int>(vtkExaBricksBuilder::MAGNITUDE) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::COMPONENT) ==
+      static_cast<int>(vtkExaBricksBuilder::COMPONENT),
+  "the mapper hands its vector mode to the builder");
+
+struct vtkExaBricksVolumeMapper::vtkInternals
+{
+  vtkNew<vtkExaBricksBuilder> Builder;
+  exabricks::VolumeRenderer Renderer;
+  exabricks::OpenGLPicture Picture;
+  std::vector<glm::vec4> Pixels;
+  std::vector<float> Depth;
+
+  // What the renderer was last given.
+  std::shared_ptr<const vtkExaBricksData::Contents> Contents;
+  vtkVolumeProperty* Property = nullptr; // compared only, never followed
+  vtkMTimeType PropertyTime = 0;
+
+  std::set<std::string> Said; // warnings, once each
+
+  void WarnOnce(vtkExaBricksVolumeMapper* self, const std::string& what)
+  {
+    if (this->Said.insert(what).second)
+    {
+      vtkWarningWithObjectMacro(self, << what);
+    }
+  }
+
+  // Says what of the scene is not supported. False: nothing can be drawn.
+  bool CheckSupport(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property);
+  // Points the builder to the mapper's input and array.
+  bool ConfigureBuilder(vtkExaBricksVolumeMapper* self);
+  // Hands the renderer what has changed; returns what went wrong.
+  std::string UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
+};
+
+bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
+  vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property)
+{
+  static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
+    "average intensity", "additive", "iso-surface", "slice" };
+  const int mode = self->GetBlendMode();
+  if (mode != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
+    vtkErrorWithObjectMacro(self,
+      "Expected blend mode composite, found "
+        << (known ? blendModes[mode] : std::to_string(mode).c_str())
+        << ", which is not supported yet. Call SetBlendModeToComposite().");
+    return false;
+  }
+  if (property->GetShade(0))
+  {
+    this->WarnOnce(self, "Shading is not supported yet: the volume is drawn unshaded.");
+  }
+  if (!property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0))
+  {
+    this->WarnOnce(self, "Gradient opacity is not supported yet: the volume is drawn without it.");
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    this->WarnOnce(self,
+      "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
+  }
+  if (self->GetCropping())
+  {
+    this->WarnOnce(self, "Cropping is not supported yet: the volume is drawn whole.");
+  }
+  if (self->GetNumberOfClippingPlanes() > 0)
+  {
+    this->WarnOnce(self, "Clipping planes are not supported yet: the volume is drawn whole.");
+  }
+  if (ren->GetUseDepthPeeling() && ren->GetUseDepthPeelingForVolumes())
+  {
+    this->WarnOnce(self,
+      "Depth peeling cannot include this volume: it is drawn over translucent geometry.");
+  }
+  return true;
+}
+
+bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
+{
+  vtkAlgorithmOutput* input = self->GetNumberOfInputConnections(0) > 0
+    ? self->GetInputConnection(0, 0)
+    : nullptr;
+  if (!input)
+  {
+    vtkErrorWithObjectMacro(
+      self, "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection().");
+    return false;
+  }
+  vtkExaBricksBuilder* builder = this->Builder;
+  if (builder->GetNumberOfInputConnections(0) == 0 || builder->GetInputConnection(0, 0) != input)
+  {
+    builder->SetInputConnection(input);
+  }
+  builder->SetVectorMode(self->VectorMode);
+  builder->SetVectorComponent(self->VectorComponent);
+
+  const int scalars = vtkDataSetAttributes::SCALARS;
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  switch (self->ScalarMode)
+  {
+    case VTK_SCALAR_MODE_DEFAULT:
+      builder->SetInputArrayToProcess(
+        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, scalars);
+      return true;
+    case VTK_SCALAR_MODE_USE_POINT_DATA:
+      builder->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
+      return true;
+    case VTK_SCALAR_MODE_USE_CELL_DATA:
+      builder->SetInputArrayToProcess(0, 0, 0, association, scalars);
+      return true;
+    case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
+      association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      break;
+    case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
+      break;
+    default:
+      vtkErrorWithObjectMacro(self,
+        "Expected a scalar mode of points or cells, found " << self->GetScalarModeAsString()
+                                                            << ". Call one of SetScalarModeTo...");
+      return false;
+  }
+  std::string name = self->ArrayName ? self->ArrayName : "";
+  if (self->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
+  {
+    // Ids mean the arrays of a block, so look at the first.
+    self->GetInputAlgorithm(0, 0)->Update();
+    vtkOverlappingAMR* amr = vtkOverlappingAMR::SafeDownCast(self->GetDataObjectInput());
+    vtkDataSet* block = amr ? exabricks::getFirstBlock(amr) : nullptr;
+    vtkDataSetAttributes* data = block ? block->GetAttributes(association) : nullptr;
+    const char* found =
+      data && self->ArrayId >= 0 ? data->GetArrayName(self->ArrayId) : nullptr;
+    if (!found)
+    {
+      vtkErrorWithObjectMacro(self,
+        "Expected the number of an array from 0 to "
+          << (data ? data->GetNumberOfArrays() - 1 : -1) << ", found " << self->ArrayId
+          << ". Call SelectScalarArray() with the name of an array.");
+      return false;
+    }
+    name = found;
+  }
+  builder->SetInputArrayToProcess(0, 0, 0, association, name.c_str());
+  return true;
+}
+
+std::string vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
+  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
+{
+  const auto& contents = this->Builder->GetOutput()->GetContents();
+  this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
+  std::string fault = this->Renderer.selectDevice(self->Device ? self->Device : "");
+  const bool newData = contents != this->Contents;
+  if (fault.empty() && (newData || property != this->Property || property->GetMTime() > this->PropertyTime))
+  {
+    // Nodes are normalised to the range of the data, so new data want new tables too.
+    this->Property = property;
+    this->PropertyTime = property->GetMTime();
+    if (newData)
+    {
+      // The old data are let go only once nothing points to them.
+      const auto previous = this->Contents;
+      this->Contents = contents;
+      fault = this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
+        &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
+    }
+    const std::string other = this->Renderer.setTransferFunction(
+      exabricks::makeTransferFunction(property, contents->Scalars.range));
+    fault = fault.empty() ? other : fault;
+  }
+  return fault;
+}
+
+vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper()
+{
+  this->SetDevice(nullptr);
+}
+
+int vtkExaBricksVolumeMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+  return 1;
+}
+
+void vtkExaBricksVolumeMapper::SetInputData(vtkOverlappingAMR* amr)
+{
+  this->SetInputDataInternal(0, amr);
+}
+
+const char* vtkExaBricksVolumeMapper::GetReconstructionAsString()
+{
+  return this->Reconstruction == NEAREST ? "Nearest" : "Basis";
+}
+
+const char* vtkExaBricksVolumeMapper::GetTraversalAsString()
+{
+  return this->Traversal == RAY_QUERY ? "RayQuery"
+    : this->Traversal == KD_TREE      ? "KdTree"
+                                      : "Automatic";
+}
+
+void vtkExaBricksVolumeMapper::GetDevices(vtkStringArray* lines)
+{
+  lines->Initialize();
+  for (const std::string& line : exabricks::VolumeRenderer::listDevices())
+  {
+    lines->InsertNextValue(line);
+  }
+}
+
+vtkExaBricksBuilder* vtkExaBricksVolumeMapper::GetBuilder()
+{
+  return this->Internals->Builder;
+}
+
+const char* vtkExaBricksVolumeMapper::GetDeviceName()
+{
+  return this->Internals->Renderer.statistics().device.c_str();
+}
+
+const char* vtkExaBricksVolumeMapper::GetTraversalUsed()
+{
+  switch (this->Internals->Renderer.statistics().traversal)
+  {
+    case exabricks::Traversal::RayQuery:
+      return "RayQuery";
+    case exabricks::Traversal::KdTree:
+      return "KdTree";
+    default:
+      return "none";
+  }
+}
+
+vtkIdType vtkExaBricksVolumeMapper::GetNumberOfActiveRegions()
+{
+  return static_cast<vtkIdType>(this->Internals->Renderer.statistics().activeRegions);
+}
+
+vtkTypeInt64 vtkExaBricksVolumeMapper::GetDeviceMemory()
+{
+  return static_cast<vtkTypeInt64>(this->Internals->Renderer.statistics().deviceBytes);
+}
+
+double vtkExaBricksVolumeMapper::GetUploadTime()
+{
+  return this->Internals->Renderer.statistics().uploadTime;
+}
+
+double vtkExaBricksVolumeMapper::GetColorTime()
+{
+  return this->Internals->Renderer.statistics().colorTime;
+}
+
+double vtkExaBricksVolumeMapper::GetOpacityTime()
+{
+  return this->Internals->Renderer.statistics().opacityTime;
+}
+
+double vtkExaBricksVolumeMapper::GetMarchTime()
+{
+  return this->Internals->Renderer.statistics().marchTime;
+}
+
+double* vtkExaBricksVolumeMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm(0, 0)->Update();
+    vtkOverlappingAMR* amr = vtkOverlappingAMR::SafeDownCast(this->GetDataObjectInput());
+    // An AMR that was never initialised has no bounds to ask for in VTK before 9.6.
+    if (amr && amr->GetNumberOfLevels() > 0 && exabricks::getFirstBlock(amr))
+    {
+      amr->GetBounds(this->Bounds);
+    }
+  }
+  return this->Bounds;
+}
+
+void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
+{
+  if (this->Internals->ConfigureBuilder(this))
+  {
+    this->Internals->Builder->Update();
+  }
+}
+
+void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkVolumeProperty* property = vol->GetProperty();
+  if (ren->GetSelector())
+  {
+    return; // blended colours would be taken for ids
+  }
+  if (!internals.CheckSupport(this, ren, property))
+  {
+    return;
+  }
+  this->Update();
+  const vtkExaBricksData* data = internals.Builder->GetOutput();
+  if (!data || !data->GetContents() || ren->GetRenderWindow()->CheckAbortStatus())
+  {
+    return; // the builder has said why
+  }
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  const double start = vtkTimerLog::GetUniversalTime();
+  std::string fault = internals.UpdateRenderer(this, property);
+
+  const auto viewport = exabricks::OpenGLPicture::findViewport(ren);
+  if (fault.empty() && viewport.width > 0 && viewport.height > 0)
+  {
+    exabricks::View view = exabricks::makeView(ren, vol, *internals.Contents);
+    view.width = viewport.width;
+    view.height = viewport.height;
+    const bool hasDepth =
+      exabricks::OpenGLPicture::readDepth(ren, viewport, internals.Depth);
+    view.depth = hasDepth ? internals.Depth.data() : nullptr;
+    view.reconstruction = this->Reconstruction == NEAREST ? exabricks::Reconstruction::Nearest
+                                                          : exabricks::Reconstruction::Basis;
+    view.stepScale = this->StepScale;
+    view.opacityUnitDistance = property->GetScalarOpacityUnitDistance(0);
+    view.terminationOpacity = this->EarlyTerminationOpacity;
+    fault = internals.Renderer.render(view, internals.Pixels);
+    if (fault.empty() && !internals.Picture.draw(ren, viewport, internals.Pixels))
+    {
+      fault = "expected OpenGL to take a picture of " + std::to_string(viewport.width) + " x " +
+        std::to_string(viewport.height) + " pixels as a float texture, it refused";
+    }
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro("The volume is not drawn: " << fault << ".");
+  }
+  this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+void vtkExaBricksVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Picture.release(window);
+  this->Internals->Renderer.release();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Reconstruction: " << this->GetReconstructionAsString() << "\n";
+  os << indent << "StepScale: " << this->StepScale << "\n";
+  os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
+  os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";
+  os << indent << "VectorMode: " << (this->VectorMode == COMPONENT ? "Component" : "Magnitude")
+     << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "Device: " << (this->Device ? this->Device : "(best)") << "\n";
+  os << indent << "DeviceName: " << this->GetDeviceName() << "\n";
+  os << indent << "TraversalUsed: " << this->GetTraversalUsed() << "\n";
+  os << indent << "NumberOfActiveRegions: " << this->GetNumberOfActiveRegions() << "\n";
+  os << indent << "DeviceMemory: " << this->GetDeviceMemory() << " bytes\n";
+}

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExaBricksVolumeMapper
+ * @brief   volume rendering of an overlapping AMR as it is, with Vulkan
+ *
+ * A drop-in vtkVolumeMapper for vtkOverlappingAMR: no resampling, no covered cells drawn, no seams.
+ * Leaf cells are grouped into bricks and active brick regions (vtkExaBricksBuilder); rays march
+ * region by region with the continuous tent-basis reconstruction, adaptive steps, corrected opacity
+ * and space skipping on a Vulkan device: a GPU, or Mesa's lavapipe without one. The picture is
+ * composited into the render window, cut by the depth of opaque geometry.
+ *
+ * @code
+ * auto mapper = vtkSmartPointer<vtkExaBricksVolumeMapper>::New();
+ * mapper->SetInputConnection(reader->GetOutputPort());
+ * mapper->SetScalarModeToUseCellFieldData();
+ * mapper->SelectScalarArray("density");
+ * volume->SetMapper(mapper);
+ * @endcode
+ *
+ * Of the volume property it honours colour (1 or 3 channels), scalar opacity and its unit distance.
+ * It says so when it is asked for what it does not do yet: blend modes other than composite (an
+ * error, nothing is drawn), shading, gradient opacity, 2-D transfer functions, cropping, clipping
+ * planes (a warning, drawn without).
+ *
+ * @par Thanks:
+ * Wald, Zellmann, Usher, Morrical, Lang, Pascucci, "Ray Tracing Structured AMR Data Using
+ * ExaBricks", IEEE VIS 2020.
+ *
+ * @sa
+ * vtkExaBricksBuilder vtkExaBricksData vtkAMRVolumeMapper
+ */
+#ifndef vtkExaBricksVolumeMapper_h
+#define vtkExaBricksVolumeMapper_h
+
+#include "vtkRenderingVolumeExaBricksModule.h" // for the export macro
+#include "vtkVolumeMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkExaBricksBuilder;
+class vtkOverlappingAMR;
+class vtkStringArray;
+
+class VTKRENDERINGVOLUMEEXABRICKS_EXPORT vtkExaBricksVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkExaBricksVolumeMapper* New();
+  vtkTypeMacro(vtkExaBricksVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using vtkVolumeMapper::SetInputData;
+  virtual void SetInputData(vtkOverlappingAMR* amr);
+
+  ///@{
+  /**
+   * How values between cells are found: by the tent basis (default), which is continuous also across
+   * levels, or as the value of the leaf cell that holds the point.
+   */
+  enum ReconstructionType
+  {
+    BASIS = 0,
+    NEAREST = 1
+  };
+  vtkSetClampMacro(Reconstruction, int, BASIS, NEAREST);
+  vtkGetMacro(Reconstruction, int);
+  void SetReconstructionToBasis() { this->SetReconstruction(BASIS); }
+  void SetReconstructionToNearest() { this->SetReconstruction(NEAREST); }
+  const char* GetReconstructionAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Length of a step, in cells of the finest level that reaches the region that the ray is in.
+   * Default 1. The error falls with its square, the time grows with its inverse.
+   */
+  vtkSetClampMacro(StepScale, double, 0.001, 1000.0);
+  vtkGetMacro(StepScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * How rays find their regions: by ray queries on an acceleration structure (VK_KHR_ray_query), or
+   * by a k-d tree, which every device can walk. Automatic (default): by ray queries on a GPU that has
+   * them. The pictures are the same.
+   */
+  enum TraversalType
+  {
+    AUTOMATIC = 0,
+    RAY_QUERY = 1,
+    KD_TREE = 2
+  };
+  vtkSetClampMacro(Traversal, int, AUTOMATIC, KD_TREE);
+  vtkGetMacro(Traversal, int);
+  void SetTraversalToAutomatic() { this->SetTraversal(AUTOMATIC); }
+  void SetTraversalToRayQuery() { this->SetTraversal(RAY_QUERY); }
+  void SetTraversalToKdTree() { this->SetTraversal(KD_TREE); }
+  const char* GetTraversalAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Opacity at which a ray ends. Default 0.999; 1: at the far side of the data.
+   */
+  vtkSetClampMacro(EarlyTerminationOpacity, double, 0.0, 1.0);
+  vtkGetMacro(EarlyTerminationOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * What to take of an array with several components: their magnitude (default), or one of them.
+   */
+  enum VectorModeType
+  {
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+  vtkSetClampMacro(VectorMode, int, MAGNITUDE, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The Vulkan device to render on: its index, or part of its name ("NVIDIA", "lavapipe"). Without
+   * it (null or empty, the default) the environment variable EXABRICKS_DEVICE decides, and without
+   * that the best device is taken. All mappers of a process share a device.
+   */
+  vtkSetStringMacro(Device);
+  vtkGetStringMacro(Device);
+  ///@}
+
+  /// One line for each Vulkan device: index, name, and what it can do.
+  static void GetDevices(vtkStringArray* lines);
+
+  /// The filter that makes bricks and regions. Its output is up to date after Update().
+  vtkExaBricksBuilder* GetBuilder();
+
+  ///@{
+  /**
+   * Of the last picture: the device's name, the traversal used, the number of regions in which the
+   * transfer function shows anything, and the bytes that the volume takes on the device.
+   */
+  const char* GetDeviceName();
+  const char* GetTraversalUsed();
+  vtkIdType GetNumberOfActiveRegions();
+  vtkTypeInt64 GetDeviceMemory();
+  ///@}
+
+  ///@{
+  /**
+   * Seconds of the last time that the volume was uploaded, that colours changed (a table is
+   * uploaded), that opacity changed (active regions are selected anew), and that rays were marched.
+   */
+  double GetUploadTime();
+  double GetColorTime();
+  double GetOpacityTime();
+  double GetMarchTime();
+  ///@}
+
+  double* GetBounds() override;
+  void GetBounds(double bounds[6]) override { this->vtkVolumeMapper::GetBounds(bounds); }
+
+  using vtkVolumeMapper::Update;
+  /// Brings bricks, regions and values up to date.
+  void Update(int port) override;
+  void Update() override { this->Update(0); }
+
+  void Render(vtkRenderer* ren, vtkVolume* vol) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkExaBricksVolumeMapper();
+  ~vtkExaBricksVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int Reconstruction = BASIS;
+  double StepScale = 1.0;
+  int Traversal = AUTOMATIC;
+  double EarlyTerminationOpacity = 0.999;
+  int VectorMode = MAGNITUDE;
+  int VectorComponent = 0;
+  char* Device = nullptr;
+
+private:
+  vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;
+  void operator=(const vtkExaBricksVolumeMapper&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

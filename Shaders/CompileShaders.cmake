@@ -1,0 +1,34 @@
+# exabricks_compile_shader(<headers> <source> {<variant> <definition>}...)
+#
+# Compiles Shaders/<source> once for each variant, with <definition> set, into a header <variant>Spirv.h that holds
+# `const uint32_t <variant>Spirv[]`, and puts the list of headers into <headers>. They lie in EXABRICKS_SPIRV_DIR.
+# What the shader includes (Shaders/Layout.h, Shaders/*.glsl) is followed through the compiler's depfile.
+
+find_program(EXABRICKS_GLSLANG NAMES glslangValidator glslang REQUIRED
+  HINTS "$ENV{VULKAN_SDK}/bin"
+  DOC "GLSL compiler (Debian: glslang-tools)")
+mark_as_advanced(EXABRICKS_GLSLANG)
+
+set(EXABRICKS_SHADER_DIR "${CMAKE_CURRENT_LIST_DIR}")
+set(EXABRICKS_SPIRV_DIR "${CMAKE_CURRENT_BINARY_DIR}/Spirv")
+file(MAKE_DIRECTORY "${EXABRICKS_SPIRV_DIR}")
+
+function (exabricks_compile_shader headers source)
+  set(outputs)
+  while (ARGN)
+    list(POP_FRONT ARGN variant definition)
+    set(output "${EXABRICKS_SPIRV_DIR}/${variant}Spirv.h")
+    add_custom_command(
+      OUTPUT "${output}"
+      COMMAND "${EXABRICKS_GLSLANG}" --quiet -V --target-env vulkan1.2
+              "-D${definition}" "-I${EXABRICKS_SHADER_DIR}"
+              --vn "${variant}Spirv" --depfile "${output}.d" -o "${output}"
+              "${EXABRICKS_SHADER_DIR}/${source}"
+      DEPENDS "${EXABRICKS_SHADER_DIR}/${source}"
+      DEPFILE "${output}.d"
+      COMMENT "Compiling ${source} with ${definition}"
+      VERBATIM)
+    list(APPEND outputs "${output}")
+  endwhile ()
+  set("${headers}" ${outputs} PARENT_SCOPE)
+endfunction ()

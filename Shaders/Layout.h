@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The buffers that host and shaders share: included by C++ (GLM types) and by GLSL (scalar block
+// layout), so that both see the same bytes. Nothing else defines a buffer layout.
+//
+// Units: a *half cell* is half the width of a cell of the finest level. Positions in half cells are
+// counted from the lower corner of the data's bounds, so that brick supports (a brick grown by half
+// its own cell) have integer corners.
+#ifndef EXABRICKS_LAYOUT_H
+#define EXABRICKS_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+namespace exabricks
+{
+namespace layout
+{
+using glm::dmat4;
+using glm::ivec3;
+using glm::uvec2;
+using glm::vec2;
+using glm::vec4;
+using uint = std::uint32_t;
+using uint64_t = std::uint64_t;
+#define EXABRICKS_CONST static constexpr
+#else
+#define EXABRICKS_CONST const
+#endif
+
+// A box of cells of one level. 32 bytes.
+struct Brick
+{
+  ivec3 lo;        // lower corner, half cells
+  int width;       // of a cell, in finest cells
+  uint dimensions; // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
+  uint unused;
+  uint64_t values; // device address of the first value; x runs fastest
+};
+EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
+
+// Stands for the value of a cell that is absent (hidden, NaN, infinite). Values lie in [0, 1].
+EXABRICKS_CONST float ABSENT = -1.0f;
+
+// A box with a fixed list of bricks: no other brick's support reaches into it. 32 bytes.
+struct Region
+{
+  ivec3 lo; // half cells
+  uint firstBrick; // position of its list in the brick lists
+  ivec3 hi;
+  uint brickCount; // 0: no data here
+};
+
+// A node of the k-d tree over the regions. 8 bytes. link = 4 * index + axis for a split (the index
+// is that of the lower child; the upper one follows it), 4 * region + KD_LEAF for a leaf.
+struct KdNode
+{
+  int plane; // half cells
+  uint link;
+};
+EXABRICKS_CONST uint KD_LEAF = 3u;
+EXABRICKS_CONST uint KD_NO_REGION = (1u << 30) - 1u; // a leaf with nothing to draw
+
+// The transfer function, piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin
+// without a control point inside is the line between its ends. One with control points inside
+// names, in lower.a = -(1 + first), the first knot to its left; knots are searched from there.
+EXABRICKS_CONST int TRANSFER_BINS = 1024;
+struct TransferBin
+{
+  vec4 lower; // red, green, blue, opacity
+  vec4 upper;
+};
+struct TransferKnot
+{
+  vec4 color; // red, green, blue, opacity
+  float value;
+};
+
+// One picture.
+struct Frame
+{
+  dmat4 ndcToHalfCells; // normalised device coordinates to half cells
+  dmat4 ndcToWorld;
+  ivec3 size; // of the bounds, half cells
+  uint regionCount; // active ones, as many as the acceleration structure has boxes
+  uint width; // pixels
+  uint height;
+  float stepScale;       // step in finest cells of the region
+  float inverseUnit;     // 1 / scalar opacity unit distance, 1 / world length
+  float terminationOpacity; // a ray ends at this opacity
+  uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
+  uint nearest;             // 0: basis, 1: nearest
+  uint unused;
+  uint64_t bricks;       // device addresses of Brick[], Region[], uint[], KdNode[], ...
+  uint64_t regions;
+  uint64_t brickLists;
+  uint64_t nodes;
+  uint64_t activeRegions; // uint[]: region of each box of the acceleration structure
+  uint64_t transferBins;
+  uint64_t transferKnots;
+  uint64_t depth;   // float[height][width], window depth in [0, 1]
+  uint64_t picture; // vec4[height][width], premultiplied, row 0 at the bottom
+  uint64_t scene;   // acceleration structure
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
+static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
+static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferBin) == 32, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferKnot) == 20, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
+} // namespace layout
+} // namespace exabricks
+#endif
+
+#endif

@@ -1,0 +1,257 @@
+#version 460
+// SPDX-License-Identifier: BSD-3-Clause
+// Marches the ray of each pixel region by region, front to back. Compiled once for each traversal:
+// TRAVERSAL_KDTREE walks the k-d tree over the regions; TRAVERSAL_RAYQUERY asks an acceleration
+// structure of the active regions for the next few.
+#extension GL_GOOGLE_include_directive : require
+#ifdef TRAVERSAL_RAYQUERY
+#extension GL_EXT_ray_query : require
+#endif
+
+#include "Buffers.glsl"
+#include "Ray.glsl"
+#include "Reconstruction.glsl"
+#include "TransferFunction.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+// What a lane knows of the region it is in, and what it has gathered.
+struct March
+{
+  uint firstBrick;
+  uint brickCount;
+  float entry;    // distance at which the ray enters the region
+  float interval; // length of an interval: a whole number of them fills the region
+  uint intervals; // number still to do
+  float next;     // number of the next one
+  vec4 color;     // premultiplied
+};
+
+// Splits [entry, exit] into equal intervals, as near to stepScale finest cells as fits.
+void enterRegion(FrameBuffer f, uint r, float entry, float exit, inout March march)
+{
+  const Region region = Regions(f.frame.regions).items[r];
+  int width = 0x7fffffff;
+  for (uint k = 0; k < region.brickCount; ++k)
+  {
+    const uint brick = Indices(f.frame.brickLists).items[region.firstBrick + k];
+    width = min(width, Bricks(f.frame.bricks).items[brick].width);
+  }
+  const float step = 2.0 * f.frame.stepScale * float(width);
+  const float count = max(ceil((exit - entry) / step), 1.0);
+  march.firstBrick = region.firstBrick;
+  march.brickCount = region.brickCount;
+  march.entry = entry;
+  march.interval = (exit - entry) / count;
+  march.intervals = uint(count);
+  march.next = 0.0;
+}
+
+// One interval: the value at its midpoint, its opacity corrected for its length in the world.
+void marchInterval(FrameBuffer f, Ray ray, inout March march)
+{
+  const float distance = march.entry + (march.next + 0.5) * march.interval;
+  march.next += 1.0;
+  --march.intervals;
+  const vec3 offset = ray.fraction + distance * ray.direction;
+  Bricks bricks = Bricks(f.frame.bricks);
+  Indices lists = Indices(f.frame.brickLists);
+  float value;
+  const bool there = f.frame.nearest != 0
+    ? sampleNearest(bricks, lists, march.firstBrick, march.brickCount, ray.base, offset, value)
+    : sampleBasis(bricks, lists, march.firstBrick, march.brickCount, ray.base, offset, value);
+  if (!there)
+  {
+    return;
+  }
+  const vec4 color = transfer(TransferBins(f.frame.transferBins), TransferKnots(f.frame.transferKnots), value);
+  if (color.a > 0.0)
+  {
+    const float units = march.interval * ray.worldPerHalfCell * f.frame.inverseUnit;
+    const float alpha = 1.0 - exp2(log2(max(1.0 - color.a, 1e-37)) * units);
+    march.color += (1.0 - march.color.a) * alpha * vec4(color.rgb, 1.0);
+  }
+}
+
+#ifdef TRAVERSAL_KDTREE
+// The region that holds the ray just behind `distance`, and where the ray leaves it.
+uint locate(FrameBuffer f, Ray ray, float distance, out float exit)
+{
+  KdNodes nodes = KdNodes(f.frame.nodes);
+  exit = ray.end;
+  KdNode node = nodes.items[0];
+  while ((node.link & 3u) != KD_LEAF)
+  {
+    const uint axis = node.link & 3u;
+    const float plane = planeDistance(ray, node.plane, axis);
+    const float inverse = axis == 0 ? ray.inverse.x : axis == 1 ? ray.inverse.y : ray.inverse.z;
+    const bool ahead = plane > distance;
+    exit = ahead ? min(exit, plane) : exit;
+    // The lower child comes first for a ray that goes up, and once the plane is passed last.
+    node = nodes.items[(node.link >> 2) + uint(ahead == (inverse < 0.0))];
+  }
+  return node.link >> 2;
+}
+
+// One flat loop: every lane takes an interval each time round, and walks the tree only when its
+// region is used up.
+void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+{
+  double skip = 0.0LF;
+  float exit = 0.0;
+  while (true)
+  {
+    while (march.intervals == 0 && exit < ray.end)
+    {
+      if (exit > REBASE_DISTANCE)
+      {
+        skip += double(beforeRounding(exit));
+        exit = 0.0;
+        if (!makeRay(f, pixel, skip, ray))
+        {
+          return;
+        }
+      }
+      const float entry = exit;
+      const uint region = locate(f, ray, entry, exit);
+      if (region != KD_NO_REGION)
+      {
+        enterRegion(f, region, entry, exit, march);
+      }
+    }
+    if (march.intervals == 0)
+    {
+      return;
+    }
+    marchInterval(f, ray, march);
+    if (march.color.a >= f.frame.terminationOpacity)
+    {
+      return;
+    }
+  }
+}
+#endif
+
+#ifdef TRAVERSAL_RAYQUERY
+// Where the ray enters and leaves a region, between `distance` and its end.
+vec2 crossing(FrameBuffer f, Ray ray, uint r, float distance)
+{
+  const Region region = Regions(f.frame.regions).items[r];
+  const vec3 a = (vec3(region.lo - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 b = (vec3(region.hi - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 entries = min(a, b);
+  const vec3 exits = max(a, b);
+  return vec2(max(distance, max(entries.x, max(entries.y, entries.z))),
+    min(ray.end, min(exits.x, min(exits.y, exits.z))));
+}
+
+const int NEAREST = 8;
+
+// The nearest few regions at a time, sorted by entry. The query starts at the ray's present point:
+// on some drivers a later start prunes nothing.
+void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+{
+
+  Indices activeRegions = Indices(f.frame.activeRegions);
+  double skip = 0.0LF;
+  float distance = 0.0;
+  while (distance < ray.end)
+  {
+    if (distance > REBASE_DISTANCE)
+    {
+      skip += double(beforeRounding(distance));
+      distance = 0.0;
+      if (!makeRay(f, pixel, skip, ray))
+      {
+        return;
+      }
+    }
+    float entry[NEAREST];
+    uint region[NEAREST];
+    for (int k = 0; k < NEAREST; ++k)
+    {
+      entry[k] = 1e30;
+      region[k] = KD_NO_REGION;
+    }
+    rayQueryEXT query;
+    rayQueryInitializeEXT(query, accelerationStructureEXT(f.frame.scene), gl_RayFlagsNoneEXT, 0xff,
+      vec3(ray.base) + ray.fraction + distance * ray.direction, 0.0, ray.direction,
+      ray.end - distance);
+    while (rayQueryProceedEXT(query))
+    {
+      uint r = activeRegions.items[rayQueryGetIntersectionPrimitiveIndexEXT(query, false)];
+      const vec2 cross = crossing(f, ray, r, distance);
+      float t = cross.x;
+      if (cross.x < cross.y && t < entry[NEAREST - 1])
+      {
+        for (int k = 0; k < NEAREST; ++k)
+        {
+          if (t < entry[k])
+          {
+            const float t2 = entry[k];
+            const uint r2 = region[k];
+            entry[k] = t;
+            region[k] = r;
+            t = t2;
+            r = r2;
+          }
+        }
+        if (region[NEAREST - 1] != KD_NO_REGION)
+        {
+          // Nothing behind the last of them is wanted now.
+          rayQueryGenerateIntersectionEXT(query, max(entry[NEAREST - 1] - distance, 0.0));
+        }
+      }
+    }
+    const bool full = region[NEAREST - 1] != KD_NO_REGION;
+    bool rebase = false;
+    for (int k = 0; k < NEAREST && !rebase; ++k)
+    {
+      if (region[k] == KD_NO_REGION)
+      {
+        break;
+      }
+      const vec2 cross = crossing(f, ray, region[k], distance);
+      if (cross.x > REBASE_DISTANCE)
+      {
+        distance = cross.x;
+        rebase = true;
+        break;
+      }
+      enterRegion(f, region[k], cross.x, cross.y, march);
+      while (march.intervals > 0)
+      {
+        marchInterval(f, ray, march);
+        if (march.color.a >= f.frame.terminationOpacity)
+        {
+          return;
+        }
+      }
+      distance = cross.y;
+    }
+    if (!full && !rebase)
+    {
+      return;
+    }
+  }
+}
+#endif
+
+void main()
+{
+  FrameBuffer f = FrameBuffer(push.frame);
+  const uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= f.frame.width || pixel.y >= f.frame.height)
+  {
+    return;
+  }
+  March state;
+  state.intervals = 0;
+  state.color = vec4(0.0);
+  Ray ray;
+  if (makeRay(f, pixel, 0.0LF, ray))
+  {
+    march(f, pixel, ray, state);
+  }
+  Picture(f.frame.picture).pixels[pixel.y * f.frame.width + pixel.x] = state.color;
+}

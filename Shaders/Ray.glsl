@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ray of a pixel, in half cells, kept accurate in float32 on lattices of any size and for
+// cameras at any distance: it is set up in double precision, and its distances count from a lattice
+// point close to where the ray is (its base), so that they stay small. A ray that has come further
+// than REBASE_DISTANCE from its base is set up anew from there.
+
+struct Ray
+{
+  ivec3 base;    // lattice point, half cells
+  vec3 fraction; // of the ray's origin: base + fraction
+  vec3 direction; // of length 1 in half cells
+  vec3 inverse;   // 1 / direction
+  float end;      // distance from the origin at which the ray leaves the bounds, or hits geometry
+  float worldPerHalfCell; // world length of a step of length 1
+};
+
+const float REBASE_DISTANCE = 1024.0; // half cells: distances are exact to 1e-4 of them
+
+// The ray of `pixel` from `skip` half cells behind its entry into the bounds on. False: a miss.
+bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
+{
+  const dvec2 ndc = 2.0LF * (dvec2(pixel) + 0.5LF) / dvec2(f.frame.width, f.frame.height) - 1.0LF;
+  double far = 1.0LF;
+  if (f.frame.hasDepth != 0)
+  {
+    far = 2.0LF * double(Values(f.frame.depth).items[pixel.y * f.frame.width + pixel.x]) - 1.0LF;
+  }
+  const dvec4 a = f.frame.ndcToHalfCells * dvec4(ndc, -1.0LF, 1.0LF);
+  const dvec4 b = f.frame.ndcToHalfCells * dvec4(ndc, far, 1.0LF);
+  const dvec4 worldA = f.frame.ndcToWorld * dvec4(ndc, -1.0LF, 1.0LF);
+  const dvec4 worldB = f.frame.ndcToWorld * dvec4(ndc, far, 1.0LF);
+  const dvec3 origin = a.xyz / a.w;
+  const dvec3 path = b.xyz / b.w - origin;
+  const double pathLength = length(path);
+  if (!(pathLength > 0.0LF))
+  {
+    return false;
+  }
+  dvec3 direction = path / pathLength;
+  // No component is 0, so that every distance is finite.
+  direction = mix(direction, mix(dvec3(-1e-12LF), dvec3(1e-12LF), greaterThanEqual(direction, dvec3(0.0LF))),
+    lessThan(abs(direction), dvec3(1e-12LF)));
+  const dvec3 toLower = -origin / direction;
+  const dvec3 toUpper = (dvec3(f.frame.size) - origin) / direction;
+  const dvec3 entries = min(toLower, toUpper);
+  const dvec3 exits = max(toLower, toUpper);
+  const double start = max(0.0LF, max(entries.x, max(entries.y, entries.z))) + skip;
+  const double end = min(pathLength, min(exits.x, min(exits.y, exits.z)));
+  if (!(start < end))
+  {
+    return false;
+  }
+  const dvec3 position = origin + start * direction;
+  ray.base = ivec3(floor(position));
+  ray.fraction = vec3(position - dvec3(ray.base));
+  ray.direction = vec3(direction);
+  ray.inverse = 1.0 / ray.direction;
+  ray.end = float(end - start);
+  ray.worldPerHalfCell = float(length(worldB.xyz / worldB.w - worldA.xyz / worldA.w) / pathLength);
+  return true;
+}
+
+// Distance to a plane of constant x, y or z. One formula for every plane: two regions that share a
+// plane get the same bits.
+float planeDistance(Ray ray, int plane, uint axis)
+{
+  const int base = axis == 0 ? ray.base.x : axis == 1 ? ray.base.y : ray.base.z;
+  const float fraction = axis == 0 ? ray.fraction.x : axis == 1 ? ray.fraction.y : ray.fraction.z;
+  const float inverse = axis == 0 ? ray.inverse.x : axis == 1 ? ray.inverse.y : ray.inverse.z;
+  return (float(plane - base) - fraction) * inverse;
+}
+
+// A distance for a new base: two units in the last place less, so that rounding cuts nothing off
+// what lies behind it.
+float beforeRounding(float distance)
+{
+  return uintBitsToFloat(floatBitsToUint(distance) - 2u);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The field at a point from a list of bricks (Wald et al. 2020, section 3). Both return false where
+// there is nothing to draw.
+
+uvec3 cellsOf(Brick brick)
+{
+  return uvec3(brick.dimensions, brick.dimensions >> 8, brick.dimensions >> 16) & 0xffu;
+}
+
+// The point in cells from the brick's lower corner; `offset` is the point relative to the ray's base.
+vec3 toCells(Brick brick, ivec3 base, vec3 offset)
+{
+  return (vec3(base - brick.lo) + offset) * (0.5 / float(brick.width));
+}
+
+float valueAt(Brick brick, uvec3 n, uvec3 cell)
+{
+  return Values(brick.values).items[cell.x + n.x * (cell.y + n.y * cell.z)];
+}
+
+// Basis: the mean of the cells' values weighted with their tents, B = sum H_c v_c / sum H_c. Within
+// a brick the tents add up to trilinear interpolation times the tent of the distance from the box of
+// cell centres.
+void addTents(Brick brick, vec3 q, inout float sum, inout float weight)
+{
+  const uvec3 n = cellsOf(brick);
+  q -= 0.5;
+  const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
+  const vec3 h = max(1.0 - abs(q - c), 0.0);
+  const float w = h.x * h.y * h.z;
+  if (w <= 0.0)
+  {
+    return;
+  }
+  const uvec3 i = min(uvec3(c), uvec3(max(ivec3(n) - 2, 0)));
+  const vec3 f = c - vec3(i);
+  const uint dx = n.x > 1u ? 1u : 0u;
+  const uint dy = n.y > 1u ? n.x : 0u;
+  const uint dz = n.z > 1u ? n.x * n.y : 0u;
+  const uint at = i.x + n.x * (i.y + n.y * i.z);
+  Values values = Values(brick.values);
+  const vec4 lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
+    values.items[at + dy + dx]);
+  const vec4 upper = vec4(values.items[at + dz], values.items[at + dz + dx],
+    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    const vec4 xy = mix(lower, upper, f.z);
+    const vec2 x = mix(xy.xy, xy.zw, f.y);
+    sum += w * mix(x.x, x.y, f.x);
+    weight += w;
+    return;
+  }
+  const vec4 tents = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  const vec4 lowerTents = tents * (w * (1.0 - f.z)) * vec4(greaterThanEqual(lower, vec4(0.0)));
+  const vec4 upperTents = tents * (w * f.z) * vec4(greaterThanEqual(upper, vec4(0.0)));
+  sum += dot(lowerTents, lower) + dot(upperTents, upper);
+  weight += dot(lowerTents + upperTents, vec4(1.0));
+}
+
+// Whether the point lies in a cell of this brick that is absent.
+bool inAbsentCell(Brick brick, vec3 q)
+{
+  const uvec3 n = cellsOf(brick);
+  return (brick.dimensions & BRICK_HAS_ABSENT_CELLS) != 0u && all(greaterThanEqual(q, vec3(0.0))) &&
+    all(lessThan(q, vec3(n))) && valueAt(brick, n, uvec3(q)) < 0.0;
+}
+
+bool sampleBasis(Bricks bricks, Indices list, uint first, uint count, ivec3 base, vec3 offset, out float value)
+{
+  float sum = 0.0;
+  float weight = 0.0;
+  bool absent = false;
+  for (uint k = 0; k < count; ++k)
+  {
+    const Brick brick = bricks.items[list.items[first + k]];
+    const vec3 q = toCells(brick, base, offset);
+    absent = absent || inAbsentCell(brick, q);
+    addTents(brick, q, sum, weight);
+  }
+  value = sum / weight;
+  return weight > 0.0 && !absent;
+}
+
+// Nearest: the value of the leaf cell that holds the point. The region lies in leaf cells, so one of
+// its bricks holds the point; by rounding it may miss them all by a hair, so take the closest.
+bool sampleNearest(Bricks bricks, Indices list, uint first, uint count, ivec3 base, vec3 offset, out float value)
+{
+  float closest = 1e30;
+  value = ABSENT;
+  for (uint k = 0; k < count && closest > 0.0; ++k)
+  {
+    const Brick brick = bricks.items[list.items[first + k]];
+    const uvec3 n = cellsOf(brick);
+    const vec3 q = toCells(brick, base, offset);
+    const vec3 off = abs(q - clamp(q, vec3(0.0), vec3(n))) * float(brick.width);
+    const float distance = off.x + off.y + off.z;
+    if (distance < closest)
+    {
+      closest = distance;
+      value = valueAt(brick, n, uvec3(clamp(q, vec3(0.0), vec3(n) - 0.5)));
+    }
+  }
+  return value >= 0.0;
+}

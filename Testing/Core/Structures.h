@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests of the core share: all that is built of a scene, and brute force to compare with.
+#ifndef ExaBricksTestingStructures_h
+#define ExaBricksTestingStructures_h
+
+#include "Core/Regions.h"
+#include "Core/Scalars.h"
+#include "Reference/Scenes.h"
+
+namespace exabricks
+{
+namespace testing
+{
+// Random scenes of each property test.
+constexpr std::uint32_t RandomScenes = 300;
+
+struct Built
+{
+  reference::Scene scene;
+  LeafBoxes leaves;
+  std::vector<Brick> bricks;
+  RegionTree tree;
+
+  const Hierarchy& hierarchy() const { return this->scene.hierarchy; }
+  const std::vector<std::int64_t>& cellWidth() const { return this->scene.hierarchy.cellWidth; }
+  std::int64_t width(const Brick& brick) const { return this->cellWidth()[brick.level]; }
+  Box box(const Brick& brick) const { return brick.box(this->width(brick)); }
+};
+
+inline Built build(reference::Scene scene, int brickCells = DefaultBrickCells,
+  int bricksPerRegion = DefaultBricksPerRegion)
+{
+  Built built;
+  built.scene = std::move(scene);
+  built.leaves = findLeafBoxes(built.hierarchy());
+  built.bricks = buildBricks(built.leaves, built.cellWidth(), brickCells);
+  built.tree = buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), bricksPerRegion);
+  return built;
+}
+
+/// Random scene number `seed`, with sizes of bricks and lists that vary with it.
+inline Built buildRandom(std::uint32_t seed)
+{
+  constexpr int brickCells[] = { 16, 3, 255, 1, 5 };
+  constexpr int bricksPerRegion[] = { 4, 1, 2, 8 };
+  return build(reference::randomScene(seed), brickCells[seed % 5], bricksPerRegion[seed % 4]);
+}
+
+template <typename Visitor>
+void forEachPoint(const Box& box, const Visitor& visit)
+{
+  Int3 p;
+  for (p.z = box.lo.z; p.z < box.hi.z; ++p.z)
+  {
+    for (p.y = box.lo.y; p.y < box.hi.y; ++p.y)
+    {
+      for (p.x = box.lo.x; p.x < box.hi.x; ++p.x)
+      {
+        visit(p);
+      }
+    }
+  }
+}
+
+/// One number for each finest cell of a box.
+class Lattice
+{
+public:
+  Lattice(const Box& box, int value)
+    : Bounds(box)
+    , Values(static_cast<std::size_t>(box.volume()), value)
+  {
+  }
+  const Box& bounds() const { return this->Bounds; }
+  int& operator[](const Int3& p)
+  {
+    const Int3 at = p - this->Bounds.lo;
+    const Int3 size = this->Bounds.size();
+    return this->Values[at.x + size.x * (at.y + size.y * at.z)];
+  }
+  void fill(const Box& box, int value)
+  {
+    forEachPoint(box, [&](const Int3& p) { (*this)[p] = value; });
+  }
+  std::size_t count(int value) const
+  {
+    return std::count(this->Values.begin(), this->Values.end(), value);
+  }
+
+private:
+  Box Bounds;
+  std::vector<int> Values;
+};
+
+/// Of each finest cell, the finest level that has a block there; -1: none.
+inline Lattice finestLevels(const Hierarchy& hierarchy)
+{
+  Lattice finest(reference::boundsOf(hierarchy), -1);
+  for (int level = 0; level < hierarchy.levels(); ++level)
+  {
+    for (const Block& block : hierarchy.blocks)
+    {
+      if (block.level == level)
+      {
+        finest.fill(hierarchy.logicalBox(block), level);
+      }
+    }
+  }
+  return finest;
+}
+
+/// The region's box in finest cells, rounded outward (it is in half cells from the bounds' corner).
+inline Box finestCells(const RegionTree& tree, const layout::Region& region)
+{
+  const Box cells = outwardToCells({ Int3(region.lo), Int3(region.hi) }, 2);
+  return { cells.lo + tree.bounds.lo, cells.hi + tree.bounds.lo };
+}
+}
+}
+
+#endif

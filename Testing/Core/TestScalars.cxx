@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gathered values are the source's, normalised without loss, and each region knows their range.
+#include "Core/Scalars.h"
+#include "Core/Structures.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+using namespace exabricks;
+using namespace exabricks::testing;
+using namespace exabricks::reference;
+
+namespace
+{
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A row of cells, in one brick.
+struct Row
+{
+  Built built;
+  Scalars scalars;
+};
+
+Row gatherRow(const std::vector<double>& values)
+{
+  Scene scene;
+  scene.hierarchy.cellWidth = { 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(values.size(), 1, 1) } } };
+  scene.cells = fillCells(scene.hierarchy, [&](int, const Int3& cell) { return values[cell.x]; });
+  Row row{ build(scene, 255), {} };
+  row.scalars = gatherScalars(row.built.hierarchy(), row.built.bricks, row.built.scene.cells);
+  return row;
+}
+
+// The same level twice over the same two cells: one block has the values, the other duplicates.
+Scalars gatherTwice(bool firstIsReal)
+{
+  Scene scene;
+  scene.hierarchy.cellWidth = { 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(2, 1, 1) } }, { 0, { Int3(0), Int3(2, 1, 1) } } };
+  scene.cells =
+    fillCells(scene.hierarchy, [](int, const Int3& cell) { return static_cast<double>(cell.x); });
+  markDuplicates(scene.hierarchy, firstIsReal, scene.cells);
+  const Built built = build(scene);
+  return gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+}
+
+// What the source has for the cell of `level` with the corner `corner` (logical): the value of the
+// finest block there that is not finer, and of the real one where there are duplicates.
+double expectedValue(const Scene& scene, int level, const Int3& corner)
+{
+  double found = notANumber;
+  int best = -1;
+  for (std::size_t b = 0; b < scene.hierarchy.blocks.size(); ++b)
+  {
+    const Block& block = scene.hierarchy.blocks[b];
+    if (block.level > level || !scene.hierarchy.logicalBox(block).contains(corner))
+    {
+      continue;
+    }
+    Int3 cell;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = floorDivide(corner[axis], scene.hierarchy.cellWidth[block.level]);
+    }
+    const Box cells{ cell, cell + std::int64_t(1) };
+    double value = 0.0;
+    unsigned char duplicate = 0;
+    scene.cells.read(static_cast<int>(b), cells, &value);
+    if (scene.cells.hasDuplicates(static_cast<int>(b)))
+    {
+      scene.cells.readDuplicates(static_cast<int>(b), cells, &duplicate);
+    }
+    const int rank = 2 * block.level + (duplicate ? 0 : 1);
+    if (rank > best)
+    {
+      best = rank;
+      found = value;
+    }
+  }
+  return found;
+}
+
+// Calls visit(brick, corner of the cell, index of its value) for all leaf cells.
+template <typename Visitor>
+void forEachLeafCell(const Built& built, const Visitor& visit)
+{
+  for (const Brick& brick : built.bricks)
+  {
+    std::uint64_t i = brick.firstValue;
+    forEachPoint({ Int3(0), Int3(brick.cells) },
+      [&](const Int3& c) { visit(brick, brick.lo + c * built.width(brick), i++); });
+  }
+}
+}
+
+TEST(Range, NormalizesItsEndsTo0And1)
+{
+  const Range range{ -3.0, 5.0 };
+  EXPECT_EQ(range.normalize(-3.0), 0.0);
+  EXPECT_EQ(range.normalize(1.0), 0.5);
+  EXPECT_EQ(range.normalize(5.0), 1.0);
+}
+
+TEST(Range, OfOneValueNormalizesItTo0)
+{
+  EXPECT_EQ((Range{ 101325.0, 101325.0 }).normalize(101325.0), 0.0);
+}
+
+TEST(Range, DoesNotOverflow)
+{
+  const double most = std::numeric_limits<double>::max();
+  const Range range{ -most, most };
+  EXPECT_EQ(range.normalize(-most), 0.0);
+  EXPECT_EQ(range.normalize(0.0), 0.5);
+  EXPECT_EQ(range.normalize(most), 1.0);
+}
+
+TEST(Range, IsEmptyAtFirst) { EXPECT_TRUE(Range().empty()); }
+
+TEST(Scalars, AreTheSourcesInBrickOrder)
+{
+  for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    ASSERT_EQ(scalars.values.size(), built.leaves.cells);
+
+    std::vector<double> expected(scalars.values.size());
+    Range range;
+    std::uint64_t absent = 0;
+    forEachLeafCell(built,
+      [&](const Brick& brick, const Int3& corner, std::uint64_t i)
+      {
+        expected[i] = expectedValue(built.scene, brick.level, corner);
+        absent += !std::isfinite(expected[i]);
+        if (std::isfinite(expected[i]))
+        {
+          range.add(expected[i]);
+        }
+      });
+    ASSERT_EQ(scalars.absentCells, absent);
+    ASSERT_EQ(scalars.range.min, range.min);
+    ASSERT_EQ(scalars.range.max, range.max);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      ASSERT_EQ(scalars.values[i],
+        std::isfinite(expected[i]) ? static_cast<float>(range.normalize(expected[i]))
+                                   : layout::ABSENT);
+    }
+  }
+}
+
+TEST(Scalars, SayWhichBricksHaveAbsentCells)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed)
+  {
+    const Built built = buildRandom(seed);
+    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    for (std::size_t b = 0; b < built.bricks.size(); ++b)
+    {
+      const auto first = scalars.values.begin() + built.bricks[b].firstValue;
+      const auto last = first + built.bricks[b].numberOfCells();
+      ASSERT_EQ(scalars.brickHasAbsentCells[b] != 0, std::count(first, last, layout::ABSENT) > 0);
+    }
+  }
+}
+
+TEST(Scalars, CountCellsThatAreNotFiniteAsAbsent)
+{
+  const Scalars scalars = gatherRow({ 1.0, notANumber, 2.0, infinity, -infinity, 3.0 }).scalars;
+  EXPECT_EQ(scalars.absentCells, 3u);
+  EXPECT_EQ(scalars.values,
+    (std::vector<float>{ 0.0f, layout::ABSENT, 0.5f, layout::ABSENT, layout::ABSENT, 1.0f }));
+}
+
+TEST(Scalars, HaveAnEmptyRangeWhenAllAreAbsent)
+{
+  const Scalars scalars = gatherRow({ notANumber, notANumber }).scalars;
+  EXPECT_TRUE(scalars.range.empty());
+  EXPECT_EQ(scalars.absentCells, 2u);
+  EXPECT_EQ(scalars.values, std::vector<float>(2, layout::ABSENT));
+}
+
+TEST(Scalars, PreferRealCellsToDuplicatesInEitherOrder)
+{
+  for (const bool firstIsReal : { true, false })
+  {
+    const Scalars scalars = gatherTwice(firstIsReal);
+    EXPECT_EQ(scalars.range.max, 1.0);
+    EXPECT_EQ(scalars.values, (std::vector<float>{ 0.0f, 1.0f }));
+  }
+}
+
+TEST(Scalars, KeepTheDetailOfANarrowRangeFarFrom0)
+{
+  std::vector<double> values; // floats of them would be 1/128 apart
+  for (int i = 0; i <= 200; ++i)
+  {
+    values.push_back(101325.0 - 0.1 + 0.001 * i);
+  }
+  const Scalars scalars = gatherRow(values).scalars;
+  EXPECT_EQ(std::set<float>(scalars.values.begin(), scalars.values.end()).size(), values.size());
+  EXPECT_TRUE(std::is_sorted(scalars.values.begin(), scalars.values.end()));
+}
+
+TEST(Scalars, KeepTheDetailOfTinyValues)
+{
+  std::vector<double> values;
+  for (int i = 0; i <= 70; ++i) // densities from 1e-28 to 1e-21
+  {
+    values.push_back(1e-28 * std::pow(10.0, 0.1 * i));
+  }
+  const Scalars scalars = gatherRow(values).scalars;
+  EXPECT_EQ(std::set<float>(scalars.values.begin(), scalars.values.end()).size(), values.size());
+  EXPECT_EQ(scalars.values.front(), 0.0f);
+  EXPECT_EQ(scalars.values.back(), 1.0f);
+}
+
+TEST(Scalars, MaySpanAllDoubles)
+{
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(
+    gatherRow({ -most, 0.0, most }).scalars.values, (std::vector<float>{ 0.0f, 0.5f, 1.0f }));
+}
+
+TEST(Scalars, AreNoneWhenProgressAborts)
+{
+  const Built built = build(twoLevels(), 1);
+  for (const double at : { 0.0, 0.6 })
+  {
+    const auto abort = [&](double done) { return done < at; };
+    EXPECT_TRUE(
+      gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, abort).values.empty());
+  }
+}
+
+TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)
+{
+  for (std::uint32_t seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    const std::vector<ValueRange> ranges =
+      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
+    ASSERT_EQ(ranges.size(), built.tree.regions.size());
+
+    std::vector<ValueRange> expected(ranges.size());
+    forEachLeafCell(built,
+      [&](const Brick& brick, const Int3& corner, std::uint64_t i)
+      {
+        const std::int64_t width = built.width(brick);
+        const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
+        const Box tent{ lo - width, lo + 3 * width };
+        for (std::size_t r = 0; r < expected.size() && scalars.values[i] != layout::ABSENT; ++r)
+        {
+          const layout::Region& region = built.tree.regions[r];
+          if (region.brickCount > 0 && tent.intersects({ Int3(region.lo), Int3(region.hi) }))
+          {
+            expected[r].min = std::min(expected[r].min, scalars.values[i]);
+            expected[r].max = std::max(expected[r].max, scalars.values[i]);
+          }
+        }
+      });
+    for (std::size_t r = 0; r < expected.size(); ++r)
+    {
+      ASSERT_EQ(ranges[r].min, expected[r].min);
+      ASSERT_EQ(ranges[r].max, expected[r].max);
+    }
+  }
+}
+
+TEST(ValueRanges, AreEmptyWhereAllCellsAreAbsent)
+{
+  const Row row = gatherRow({ notANumber, notANumber, notANumber });
+  for (const ValueRange& range :
+    findValueRanges(row.built.tree, row.built.bricks, row.built.cellWidth(), row.scalars))
+  {
+    EXPECT_GT(range.min, range.max);
+  }
+}

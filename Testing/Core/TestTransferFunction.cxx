@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The transfer function is exact at its control points, and loses no part that can be seen.
+#include "Core/TransferFunction.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace exabricks;
+
+namespace
+{
+TransferFunction::Point gray(double value, double opacity)
+{
+  return { value, glm::dvec4(value, value, value, opacity) };
+}
+
+// As the shader looks it up, in single precision.
+glm::vec4 lookUp(const std::vector<layout::TransferBin>& bins,
+  const std::vector<layout::TransferKnot>& knots, float value)
+{
+  const float x = std::min(std::max(value, 0.0f), 1.0f) * layout::TRANSFER_BINS;
+  const int i = std::min(static_cast<int>(x), layout::TRANSFER_BINS - 1);
+  const layout::TransferBin& bin = bins[i];
+  if (bin.lower.a >= 0.0f)
+  {
+    return bin.lower + (bin.upper - bin.lower) * (x - static_cast<float>(i));
+  }
+  int knot = static_cast<int>(-1.0f - bin.lower.a);
+  while (knots[knot + 1].value <= value)
+  {
+    ++knot;
+  }
+  const layout::TransferKnot& a = knots[knot];
+  const layout::TransferKnot& b = knots[knot + 1];
+  return a.color + (b.color - a.color) * ((value - a.value) / (b.value - a.value));
+}
+
+void expectSame(const TransferFunction& transfer, float value)
+{
+  const glm::dvec4 exact = transfer.evaluate(value);
+  const glm::vec4 found = lookUp(transfer.makeBins(), transfer.makeKnots(), value);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(found[i], exact[i], 1e-6) << "at " << value;
+  }
+}
+
+// Points on multiples of 2^-12, so that floats hold them, with flat parts of no opacity and jumps.
+TransferFunction makeRandom(std::uint32_t seed)
+{
+  std::mt19937 random(seed);
+  const auto share = [&] { return static_cast<double>(random() % 1001) / 1000.0; };
+  std::vector<double> values;
+  const unsigned count = random() % 40 + 1;
+  for (unsigned i = 0; i < count; ++i)
+  {
+    values.push_back((static_cast<double>(random() % 5000) - 400.0) / 4096.0);
+    if (random() % 4 == 0)
+    {
+      values.push_back(values.back());
+    }
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<TransferFunction::Point> points;
+  for (const double value : values)
+  {
+    const double opacity = random() % 2 ? share() : 0.0;
+    points.push_back({ value, glm::dvec4(share(), share(), share(), opacity) });
+  }
+  return TransferFunction(points);
+}
+}
+
+TEST(TransferFunction, IsExactAtItsControlPoints)
+{
+  const TransferFunction transfer({ gray(0.1, 0.2), gray(0.1000001, 0.9), gray(0.7, 0.3) });
+  for (const TransferFunction::Point& point : transfer.points())
+  {
+    EXPECT_EQ(transfer.evaluate(point.value), point.color);
+  }
+}
+
+TEST(TransferFunction, IsLinearBetweenThem)
+{
+  const TransferFunction transfer({ gray(0.0, 0.0), gray(0.5, 1.0) });
+  EXPECT_DOUBLE_EQ(transfer.evaluate(0.125).a, 0.25);
+  EXPECT_DOUBLE_EQ(transfer.evaluate(0.125).r, 0.125);
+}
+
+TEST(TransferFunction, GoesOnAsAtItsEnds)
+{
+  const TransferFunction transfer({ gray(0.25, 0.5), gray(0.75, 1.0) });
+  EXPECT_EQ(transfer.evaluate(0.0).a, 0.5);
+  EXPECT_EQ(transfer.evaluate(1.0).a, 1.0);
+}
+
+TEST(TransferFunction, JumpsWhereTwoPointsHaveOneValue)
+{
+  const TransferFunction transfer({ gray(0.0, 0.0), gray(0.5, 0.0), gray(0.5, 1.0) });
+  EXPECT_EQ(transfer.evaluate(std::nextafter(0.5, 0.0)).a, 0.0);
+  EXPECT_EQ(transfer.evaluate(0.5).a, 1.0); // the value itself takes what comes after it
+}
+
+TEST(TransferFunction, WithoutPointsShowsNothing)
+{
+  for (const TransferFunction& transfer :
+    { TransferFunction(), TransferFunction(std::vector<TransferFunction::Point>()) })
+  {
+    EXPECT_EQ(transfer.evaluate(0.5).a, 0.0);
+    EXPECT_FALSE(transfer.visible({ 0.0f, 1.0f }));
+    EXPECT_EQ(lookUp(transfer.makeBins(), transfer.makeKnots(), 0.5f).a, 0.0f);
+  }
+}
+
+TEST(TransferFunction, SeesASpikeBetweenAnySamples)
+{
+  for (int i = 1; i < 1000; ++i)
+  {
+    const double at = (i + 0.37) / 1000.0;
+    const TransferFunction transfer(
+      { gray(at - 0.5e-4, 0.0), gray(at, 1e-3), gray(at + 0.5e-4, 0.0) });
+    const float value = static_cast<float>(at);
+    EXPECT_TRUE(transfer.visible({ 0.0f, 1.0f }));
+    EXPECT_TRUE(transfer.visible({ value - 2e-5f, value + 2e-5f }));
+    EXPECT_TRUE(transfer.visible({ value, value }));
+    EXPECT_FALSE(transfer.visible({ 0.0f, value - 1e-4f }));
+    EXPECT_FALSE(transfer.visible({ value + 1e-4f, 1.0f }));
+  }
+}
+
+TEST(TransferFunction, SeesASpikeOfNoWidthBetweenTwoJumps)
+{
+  const TransferFunction transfer({ gray(0.5, 0.0), gray(0.5, 1.0), gray(0.5, 0.0) });
+  EXPECT_TRUE(transfer.visible({ 0.4f, 0.6f }));
+  EXPECT_FALSE(transfer.visible({ 0.6f, 0.7f }));
+}
+
+TEST(TransferFunction, SeesTheValueOfAJump)
+{
+  // As label maps have it: one value in a step of the function.
+  const TransferFunction transfer(
+    { gray(0.25, 0.0), gray(0.25, 1.0), gray(0.75, 1.0), gray(0.75, 0.0) });
+  EXPECT_TRUE(transfer.visible({ 0.25f, 0.25f }));
+  EXPECT_TRUE(transfer.visible({ 0.0f, 0.25f }));
+  EXPECT_FALSE(transfer.visible({ 0.0f, std::nextafter(0.25f, 0.0f) }));
+  EXPECT_FALSE(transfer.visible({ 0.75f, 0.75f }));
+}
+
+TEST(TransferFunction, SeesNothingInAnEmptyRange)
+{
+  EXPECT_FALSE(TransferFunction({ gray(0.0, 1.0) }).visible({}));
+}
+
+TEST(TransferFunction, SeesARangeIfAndOnlyIfSomeValueInItHasOpacity)
+{
+  for (std::uint32_t seed = 0; seed < 300; ++seed)
+  {
+    const TransferFunction transfer = makeRandom(seed);
+    std::mt19937 random(seed);
+    for (int i = 0; i < 100; ++i)
+    {
+      const float a = static_cast<float>(random() % 4097) / 4096.0f;
+      const float b = static_cast<float>(random() % 4097) / 4096.0f;
+      const ValueRange range{ std::min(a, b), std::max(a, b) };
+      // All control points lie on multiples of 2^-12, so these values meet every slope.
+      bool shows = false;
+      for (double value = range.min; value <= range.max; value += 1.0 / 8192.0)
+      {
+        shows = shows || transfer.evaluate(value).a > 0.0;
+      }
+      if (shows)
+      {
+        ASSERT_TRUE(transfer.visible(range)) << "seed " << seed << ": " << a << ", " << b;
+        continue;
+      }
+      // A point that only the other side of a jump sees may count as well.
+      bool point = false;
+      for (const TransferFunction::Point& p : transfer.points())
+      {
+        point = point || (p.value >= range.min && p.value <= range.max && p.color.a > 0.0);
+      }
+      ASSERT_TRUE(point || !transfer.visible(range)) << "seed " << seed << ": " << a << ", " << b;
+    }
+  }
+}
+
+TEST(TransferFunction, OfTheDeviceIsTheSame)
+{
+  for (std::uint32_t seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const TransferFunction transfer = makeRandom(seed);
+    const auto bins = transfer.makeBins();
+    const auto knots = transfer.makeKnots();
+    std::mt19937 random(seed);
+    for (int i = 0; i < 500; ++i)
+    {
+      const float value = static_cast<float>(random()) / 4294967296.0f;
+      const glm::dvec4 exact = transfer.evaluate(value);
+      const glm::vec4 found = lookUp(bins, knots, value);
+      for (int k = 0; k < 4; ++k)
+      {
+        ASSERT_NEAR(found[k], exact[k], 1e-6) << "at " << value;
+      }
+    }
+    for (const TransferFunction::Point& point : transfer.points())
+    {
+      if (point.value >= 0.0 && point.value <= 1.0)
+      {
+        expectSame(transfer, static_cast<float>(point.value));
+      }
+    }
+    expectSame(transfer, 0.0f);
+    expectSame(transfer, 1.0f);
+  }
+}
+
+TEST(TransferFunction, OfTheDeviceFollowsPointsFarOutside)
+{
+  const TransferFunction transfer(
+    { gray(-9.0, 0.0), gray(-5.0, 1.0), gray(0.5, 0.25), gray(40.0, 0.0) });
+  for (int i = 0; i <= 100; ++i)
+  {
+    expectSame(transfer, static_cast<float>(i) / 100.0f);
+  }
+}
+
+TEST(TransferFunction, KnowsWhetherTheSameValuesAreTransparent)
+{
+  const TransferFunction transfer({ gray(0.25, 0.0), gray(0.5, 1.0) });
+  EXPECT_TRUE(transfer.sameOpacity(TransferFunction({ gray(0.25, 0.0), gray(0.5, 1.0) })));
+  EXPECT_FALSE(transfer.sameOpacity(TransferFunction({ gray(0.3, 0.0), gray(0.5, 1.0) })));
+}

@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""exabricks-render: what it writes, and what it says to input that is wrong.
+
+Usage: TestRenderProgram.py PROGRAM rt_medium.vthb   (with a display, or under xvfb-run)
+"""
+
+import json
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, DATA = "", ""
+
+FINE, RENDERING_FAILED, BAD_ARGUMENTS, INPUT_UNREADABLE, OUTPUT_UNWRITABLE = range(5)
+
+
+def png_size(path):
+    with open(path, "rb") as file:
+        head = file.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", "not a PNG: %r" % head
+    return struct.unpack(">II", head[16:24])
+
+
+class RenderProgramTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.png = os.path.join(self.folder.name, "picture.png")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_program(self, *arguments, **keywords):
+        return subprocess.run(
+            [PROGRAM, *arguments], capture_output=True, text=True, timeout=300, check=False, **keywords
+        )
+
+    def refused(self, code, words, *arguments, **keywords):
+        """The run ends with the code and one message that has the words in it; nothing is left behind."""
+        done = self.run_program(*arguments, **keywords)
+        self.assertEqual(done.returncode, code, done.stderr)
+        message = done.stderr[done.stderr.index("exabricks-render: "):]
+        for word in words:
+            self.assertIn(word, message)
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+    # Arguments
+
+    def test_nothing_given(self):
+        self.refused(BAD_ARGUMENTS, ["input", "--help"])
+
+    def test_unknown_option(self):
+        self.refused(BAD_ARGUMENTS, ["--colour", "--help"], DATA, self.png, "--colour", "x")
+
+    def test_no_output(self):
+        self.refused(BAD_ARGUMENTS, ["PNG"], DATA)
+
+    def test_output_of_another_kind(self):
+        self.refused(BAD_ARGUMENTS, [".png", "a.jpg"], DATA, "a.jpg")
+
+    def test_opacity_points(self):
+        for points in ("1", "1:x", "0:0,1:2", "1:0,0:1", "0:0,", "0:nan", "0:0:0"):
+            with self.subTest(points):
+                self.refused(BAD_ARGUMENTS, ["--opacity takes"], DATA, self.png, "--opacity", points)
+
+    def test_values_of_other_options(self):
+        for option, value in (
+            ("--size", "800"),
+            ("--size", "0x600"),
+            ("--size", "800x600x3"),
+            ("--background", "no such colour"),
+            ("--background", "0,0,2"),
+            ("--position", "1,2"),
+            ("--view", "left"),
+            ("--color-map", "rainbow"),
+            ("--component", "-1"),
+            ("--component", "x"),
+            ("--levels", "0"),
+            ("--zoom", "0"),
+            ("--frames", "many"),
+            ("--traversal", "fast"),
+        ):
+            with self.subTest(option=option, value=value):
+                self.refused(BAD_ARGUMENTS, [option], DATA, self.png, option, value)
+
+    def test_range(self):
+        self.refused(BAD_ARGUMENTS, ["--range"], DATA, self.png, "--range", "2", "1")
+        self.refused(BAD_ARGUMENTS, ["above zero"], DATA, self.png, "--log", "--range", "0", "1")
+
+    def test_two_ways_to_place_the_camera(self):
+        self.refused(BAD_ARGUMENTS, ["--view", "--position"],
+            DATA, self.png, "--view", "+x", "--position", "1,2,3")
+
+    def test_unknown_array_lists_those_there_are(self):
+        self.refused(BAD_ARGUMENTS, ["'nothing'", "density", "magvort"],
+            DATA, self.png, "--array", "nothing")
+
+    def test_component_of_a_scalar(self):
+        self.refused(BAD_ARGUMENTS, ["--component 1", "density"],
+            DATA, self.png, "--array", "density", "--component", "1")
+
+    # Input
+
+    def test_missing_input(self):
+        self.refused(INPUT_UNREADABLE, ["no_such.vthb"], "no_such.vthb", self.png)
+
+    def test_folder_that_is_no_plotfile(self):
+        self.refused(INPUT_UNREADABLE, ["Header"], os.path.dirname(DATA), self.png)
+
+    def test_file_of_unknown_kind(self):
+        self.refused(INPUT_UNREADABLE, [".vthb", ".hierarchy"], __file__, self.png)
+
+    def test_broken_file(self):
+        for name, text in (
+            ("broken.vthb", "<VTKFile type='vtkOverlappingAMR' version='1.1'><vtkOverl"),
+            ("broken.hierarchy", "hello"),
+            ("broken.hdf5", "hello"),
+            ("broken.vtkhdf", "hello"),
+            ("Header", "hello"),
+        ):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, name)
+                with open(path, "w", encoding="ascii") as file:
+                    file.write(text)
+                self.refused(INPUT_UNREADABLE, [name],
+                    folder if name == "Header" else path, self.png)
+
+    def test_missing_block(self):
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "rt")
+            shutil.copytree(os.path.dirname(DATA), copy)
+            os.remove(os.path.join(copy, "rt_medium", "rt_medium_7.vti"))
+            path = os.path.join(copy, os.path.basename(DATA))
+            self.refused(INPUT_UNREADABLE, ["rt_medium_7.vti"], path, self.png)
+
+    # Output
+
+    def test_output_in_a_folder_that_is_not_there(self):
+        for option in ([], ["--stats", os.path.join(self.folder.name, "none", "a.json")]):
+            with self.subTest(option):
+                png = self.png if option else os.path.join(self.folder.name, "none", "a.png")
+                self.refused(OUTPUT_UNWRITABLE, ["none"], DATA, png, *option)
+
+    @unittest.skipIf(hasattr(os, "geteuid") and os.geteuid() == 0, "root may write everywhere")
+    def test_output_in_a_folder_that_may_not_be_written_in(self):
+        os.chmod(self.folder.name, 0o500)
+        self.refused(OUTPUT_UNWRITABLE, [self.png], DATA, self.png)
+
+    @unittest.skipUnless(sys.platform.startswith("linux"), "asks for an X server that is not there")
+    def test_no_display(self):
+        done = self.run_program(DATA, self.png, env=dict(os.environ, DISPLAY=":987654"))
+        # VTK from 9.4 on draws without one.
+        self.assertIn(done.returncode, (FINE, RENDERING_FAILED), done.stderr)
+        if done.returncode == RENDERING_FAILED:
+            self.assertIn("xvfb-run", done.stderr)
+            self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_unknown_device(self):
+        self.refused(RENDERING_FAILED, ["no such device"],
+            DATA, self.png, "--device", "no such device")
+
+    # Good runs
+
+    def test_help_and_version(self):
+        done = self.run_program("--help")
+        self.assertEqual(done.returncode, FINE)
+        for word in ("--opacity", "--array", "Examples", "Exit codes"):
+            self.assertIn(word, done.stdout)
+        done = self.run_program("--version")
+        self.assertEqual(done.returncode, FINE)
+        self.assertRegex(done.stdout, r"^exabricks-render \d+\.\d+\.\d+ \(VTK \d+\.\d+")
+
+    def test_list_arrays(self):
+        done = self.run_program(DATA, "--list-arrays")
+        self.assertEqual(done.returncode, FINE, done.stderr)
+        self.assertEqual(done.stdout.split(), ["density", "magvort"])
+
+    def draw(self, *arguments):
+        stats = os.path.join(self.folder.name, "stats.json")
+        done = self.run_program(DATA, self.png, "--size", "96x64", "--stats", stats, *arguments)
+        self.assertEqual(done.returncode, FINE, done.stderr)
+        self.assertEqual(png_size(self.png), (96, 64))
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["picture.png", "stats.json"])
+        with open(stats, encoding="utf-8") as file:
+            return done, json.load(file)
+
+    def test_picture_and_statistics(self):
+        done, stats = self.draw("--array", "magvort", "--frames", "3")
+        for line in ("Input", "Array", "Bricks", "Device", "Set-up", "Frame", "Memory", "Picture"):
+            self.assertRegex(done.stdout, "(?m)^%s +" % line)
+
+        data = stats["data"]
+        self.assertEqual(data["levels"], 3)
+        self.assertEqual(data["blocks"], 25)
+        self.assertEqual(data["leaf_cells"], 549120)
+        self.assertEqual(data["absent_cells"], 0)
+        self.assertGreater(data["bricks"], 0)
+        self.assertGreater(data["regions"], 0)
+        for value, expected in zip(data["bounds"], (0, 0.5, 0, 0.5, 0, 1)):
+            self.assertAlmostEqual(value, expected, 9)
+        for value in data["finest_spacing"]:
+            self.assertAlmostEqual(value, 1 / 192, 9)
+
+        self.assertEqual(stats["input"]["array"], "magvort")
+        self.assertEqual(stats["input"]["other_arrays"], ["density"])
+        self.assertEqual(stats["picture"]["size"], [96, 64])
+        look = stats["picture"]["look"]
+        self.assertEqual(look["color_range"], data["range"])
+        self.assertEqual(look["opacity"][0], [data["range"][0], 0.0])
+        self.assertAlmostEqual(look["opacity_unit"], 1.5**0.5 / 100, 9)
+        self.assertTrue(stats["method"]["device"])
+        self.assertGreater(stats["method"]["active_regions"], 0)
+        self.assertEqual(len(stats["seconds"]["frames"]), 3)
+        self.assertEqual(stats["seconds"]["frame_median"], sorted(stats["seconds"]["frames"])[1])
+        self.assertGreater(stats["bytes"]["host"], 0)
+
+    def test_first_array_is_taken(self):
+        done, stats = self.draw()
+        self.assertEqual(stats["input"]["array"], "density")
+        self.assertIn("others: magvort", done.stdout)
+        self.assertIsNone(stats["seconds"]["frame_median"])
+
+    def test_levels(self):
+        _, stats = self.draw("--levels", "1")
+        self.assertEqual(stats["data"]["blocks"], 1)
+        self.assertEqual(stats["data"]["leaf_cells"], 24 * 24 * 48)
+
+    def test_logarithm(self):
+        _, stats = self.draw("-a", "magvort", "--log", "--range", "0.01", "10",
+            "--opacity", "0.1:0,10:0.5")
+        self.assertEqual(stats["picture"]["look"]["color_range"], [-2.0, 1.0])
+        self.assertEqual(stats["picture"]["look"]["opacity"], [[-1.0, 0.0], [1.0, 0.5]])
+        self.assertLess(stats["data"]["range"][0], -4.0)
+        self.assertGreater(stats["data"]["range"][1], 1.0)
+
+    def test_camera(self):
+        _, stats = self.draw("--position", "0.25,-2,0.5", "--focal", "0.25,0.25,0.5", "--parallel")
+        camera = stats["picture"]["camera"]
+        self.assertEqual(camera["position"], [0.25, -2.0, 0.5])
+        self.assertEqual(camera["up"], [0.0, 0.0, 1.0])
+        self.assertTrue(camera["parallel"])
+        self.assertAlmostEqual(camera["parallel_scale"], 0.5 * 1.05, 9)
+
+    def test_views_that_begin_with_a_dash(self):
+        _, stats = self.draw("--view", "-x")
+        self.assertLess(stats["picture"]["camera"]["position"][0], 0.0)
+
+    def test_quiet(self):
+        done, _ = self.draw("--quiet")
+        self.assertEqual(done.stdout + done.stderr, "")
+
+
+if __name__ == "__main__":
+    PROGRAM, DATA = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
