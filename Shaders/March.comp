@@ -98,7 +98,7 @@ uint locate(FrameBuffer f, Ray ray, float distance, out float exit)
 void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 {
   double skip = 0.0LF;
-  float exit = 0.0;
+  float exit = ray.begin;
   while (true)
   {
     while (march.intervals == 0 && exit < ray.end)
@@ -106,11 +106,11 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       if (exit > REBASE_DISTANCE)
       {
         skip += double(beforeRounding(exit));
-        exit = 0.0;
         if (!makeRay(f, pixel, skip, ray))
         {
           return;
         }
+        exit = ray.begin;
       }
       const float entry = exit;
       const uint region = locate(f, ray, entry, exit);
@@ -154,17 +154,17 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 
   Indices activeRegions = Indices(f.frame.activeRegions);
   double skip = 0.0LF;
-  float distance = 0.0;
+  float distance = ray.begin;
   while (distance < ray.end)
   {
     if (distance > REBASE_DISTANCE)
     {
       skip += double(beforeRounding(distance));
-      distance = 0.0;
       if (!makeRay(f, pixel, skip, ray))
       {
         return;
       }
+      distance = ray.begin;
     }
     float entry[NEAREST];
     uint region[NEAREST];

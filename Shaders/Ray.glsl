@@ -10,11 +10,22 @@ struct Ray
   vec3 fraction; // of the ray's origin: base + fraction
   vec3 direction; // of length 1 in half cells
   vec3 inverse;   // 1 / direction
-  float end;      // distance from the origin at which the ray leaves the bounds, or hits geometry
+  float begin;    // distances from the origin at which the ray enters the bounds, ...
+  float end;      // ... and leaves them, or hits geometry
   float worldPerHalfCell; // world length of a step of length 1
 };
 
 const float REBASE_DISTANCE = 1024.0; // half cells: distances are exact to 1e-4 of them
+
+// Distance to a plane of constant x, y or z. One formula for every plane: two regions that share a
+// plane get the same bits.
+float planeDistance(Ray ray, int plane, uint axis)
+{
+  const int base = axis == 0 ? ray.base.x : axis == 1 ? ray.base.y : ray.base.z;
+  const float fraction = axis == 0 ? ray.fraction.x : axis == 1 ? ray.fraction.y : ray.fraction.z;
+  const float inverse = axis == 0 ? ray.inverse.x : axis == 1 ? ray.inverse.y : ray.inverse.z;
+  return (float(plane - base) - fraction) * inverse;
+}
 
 // The ray of `pixel` from `skip` half cells behind its entry into the bounds on. False: a miss.
 bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
@@ -55,19 +66,16 @@ bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
   ray.fraction = vec3(position - dvec3(ray.base));
   ray.direction = vec3(direction);
   ray.inverse = 1.0 / ray.direction;
-  ray.end = float(end - start);
+  // By the one formula too, so that the first and last regions get the same bits however found.
+  const vec3 low = vec3(planeDistance(ray, 0, 0), planeDistance(ray, 0, 1), planeDistance(ray, 0, 2));
+  const vec3 high = vec3(planeDistance(ray, f.frame.size.x, 0), planeDistance(ray, f.frame.size.y, 1),
+    planeDistance(ray, f.frame.size.z, 2));
+  const vec3 enter = min(low, high);
+  const vec3 leave = max(low, high);
+  ray.begin = max(0.0, max(enter.x, max(enter.y, enter.z)));
+  ray.end = min(float(pathLength - start), min(leave.x, min(leave.y, leave.z)));
   ray.worldPerHalfCell = float(length(worldB.xyz / worldB.w - worldA.xyz / worldA.w) / pathLength);
-  return true;
-}
-
-// Distance to a plane of constant x, y or z. One formula for every plane: two regions that share a
-// plane get the same bits.
-float planeDistance(Ray ray, int plane, uint axis)
-{
-  const int base = axis == 0 ? ray.base.x : axis == 1 ? ray.base.y : ray.base.z;
-  const float fraction = axis == 0 ? ray.fraction.x : axis == 1 ? ray.fraction.y : ray.fraction.z;
-  const float inverse = axis == 0 ? ray.inverse.x : axis == 1 ? ray.inverse.y : ray.inverse.z;
-  return (float(plane - base) - fraction) * inverse;
+  return ray.begin < ray.end;
 }
 
 // A distance for a new base: two units in the last place less, so that rounding cuts nothing off

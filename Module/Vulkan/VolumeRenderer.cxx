@@ -2,6 +2,7 @@
 #include "Vulkan/VolumeRenderer.h"
 
 #include "Vulkan/AccelerationStructure.h"
+#include "Vulkan/Faults.h"
 #include "Vulkan/MarchPass.h"
 
 #include <chrono>
@@ -119,6 +120,8 @@ struct VolumeRenderer::Internals
     this->DropVolume();
     const std::vector<Brick>& bricks = *this->Subject.bricks;
     const RegionTree& tree = *this->Subject.tree;
+    const vk::DeviceSize largest =
+      std::min<vk::DeviceSize>(LargestValueBuffer, vulkan::faults().largestValueBuffer);
     std::vector<layout::Brick> records;
     records.reserve(bricks.size());
     for (std::size_t first = 0; first < bricks.size();)
@@ -128,7 +131,7 @@ struct VolumeRenderer::Internals
       std::size_t last = first;
       for (; last < bricks.size() &&
            (last == first ||
-             (end - begin + bricks[last].numberOfCells()) * sizeof(float) <= LargestValueBuffer);
+             (end - begin + bricks[last].numberOfCells()) * sizeof(float) <= largest);
            ++last)
       {
         end += bricks[last].numberOfCells();

@@ -80,10 +80,10 @@ glm::vec3 pickPoint(const layout::Region& region, std::mt19937& random)
   return p;
 }
 
-// Calls visit(built, scalars, ranges, index of region, point) at random points in regions with
-// data.
+// Calls visit(built, scalars, ranges, index of region, point) at random points, in about as many
+// regions of each random scene as asked for.
 template <typename Visitor>
-void forRandomPoints(int pointsPerRegion, const Visitor& visit)
+void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& visit)
 {
   for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
   {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a scene of Testing/Reference with the Vulkan layer, for comparison with the oracle.
+#ifndef ExaBricksTestingSceneRenderer_h
+#define ExaBricksTestingSceneRenderer_h
+
+#include "Core/Structure.h"
+#include "Reference/Oracle.h"
+#include "Reference/Scenes.h"
+#include "Vulkan/VolumeRenderer.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace exabricks
+{
+/// A few translucent layers and a dense one, with colours.
+inline TransferFunction layeredTransfer()
+{
+  return TransferFunction({ { 0.0, { 0.1, 0.1, 0.4, 0.0 } }, { 0.15, { 0.1, 0.2, 0.8, 0.0 } },
+    { 0.3, { 0.1, 0.7, 0.9, 0.08 } }, { 0.45, { 0.2, 0.8, 0.3, 0.02 } },
+    { 0.7, { 0.9, 0.8, 0.2, 0.1 } }, { 0.85, { 1.0, 0.4, 0.1, 0.5 } },
+    { 1.0, { 1.0, 1.0, 0.9, 0.3 } } });
+}
+
+struct SceneRenderer
+{
+  explicit SceneRenderer(const reference::Scene& s)
+    : scene(s)
+    , structure(buildStructure(s.hierarchy))
+    , scalars(gatherScalars(s.hierarchy, structure.bricks, s.cells))
+    , ranges(findValueRanges(structure.tree, structure.bricks, s.hierarchy.cellWidth, scalars))
+  {
+    EXPECT_EQ(this->renderer.setVolume({ &this->structure.tree, &this->structure.bricks,
+                &this->structure.hierarchy.cellWidth, &this->scalars, &this->ranges }),
+      "");
+    this->setTransfer(layeredTransfer());
+  }
+
+  void setTransfer(const TransferFunction& function)
+  {
+    this->transfer = function;
+    EXPECT_EQ(this->renderer.setTransferFunction(function), "");
+  }
+
+  reference::View look(const glm::dvec3& direction, double viewAngle, int size = 96) const
+  {
+    return reference::lookAt(
+      this->scene.hierarchy, this->structure.tree.bounds, direction, viewAngle, size, size);
+  }
+
+  View toView(const reference::View& from) const
+  {
+    View view;
+    glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
+    toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure.tree.bounds.lo));
+    view.ndcToHalfCells = toHalfCells * from.ndcToLogical;
+    view.ndcToWorld = from.ndcToWorld;
+    view.width = from.width;
+    view.height = from.height;
+    view.depth = from.depth.empty() ? nullptr : from.depth.data();
+    view.opacityUnitDistance = this->opacityUnitDistance;
+    view.stepScale = this->stepScale;
+    view.terminationOpacity = this->terminationOpacity;
+    view.reconstruction = this->reconstruction;
+    return view;
+  }
+
+  reference::Image render(const reference::View& from)
+  {
+    std::vector<glm::vec4> pixels;
+    EXPECT_EQ(this->renderer.render(this->toView(from), pixels), "");
+    return { from.width, from.height, { pixels.begin(), pixels.end() } };
+  }
+
+  reference::Image renderOracle(const reference::View& from) const
+  {
+    const reference::Oracle oracle(
+      this->scene.hierarchy, findLeafBoxes(this->scene.hierarchy), this->scene.cells);
+    reference::Oracle::Settings settings;
+    settings.opacityUnitDistance = this->opacityUnitDistance;
+    settings.reconstruction = this->reconstruction == Reconstruction::Nearest
+      ? reference::Reconstruction::Nearest
+      : reference::Reconstruction::Basis;
+    return oracle.render(from, this->transfer, settings);
+  }
+
+  const reference::Scene scene;
+  const Structure structure;
+  const Scalars scalars;
+  const std::vector<ValueRange> ranges;
+  VolumeRenderer renderer;
+  TransferFunction transfer;
+  double opacityUnitDistance = 1.0;
+  double stepScale = 0.25;
+  double terminationOpacity = 1.0; // never
+  Reconstruction reconstruction = Reconstruction::Basis;
+};
+
+inline double largestDifference(const reference::Image& a, const reference::Image& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+  {
+    const glm::dvec4 d = glm::abs(a.pixels[i] - b.pixels[i]);
+    largest = std::max({ largest, d.r, d.g, d.b, d.a });
+  }
+  return largest;
+}
+
+/// Mean opacity: a picture to compare has to show something.
+inline double coverage(const reference::Image& image)
+{
+  double sum = 0.0;
+  for (const glm::dvec4& pixel : image.pixels)
+  {
+    sum += pixel.a;
+  }
+  return sum / static_cast<double>(image.pixels.size());
+}
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ray query and k-d tree are two ways to find the same regions: the pictures are the same.
+#include "SceneRenderer.h"
+
+using namespace exabricks;
+
+namespace
+{
+void expectSamePicture(SceneRenderer& subject, const reference::View& view)
+{
+  subject.renderer.selectTraversal(Traversal::KdTree);
+  const reference::Image byTree = subject.render(view);
+  EXPECT_EQ(subject.renderer.statistics().traversal, Traversal::KdTree);
+  subject.renderer.selectTraversal(Traversal::RayQuery);
+  const reference::Image byQuery = subject.render(view);
+  EXPECT_EQ(subject.renderer.statistics().traversal, Traversal::RayQuery);
+  EXPECT_LE(largestDifference(byTree, byQuery), 1e-5) << subject.scene.name;
+  EXPECT_GT(coverage(byTree), 0.01);
+}
+}
+
+TEST(TraversalsAgree, OnEveryScene)
+{
+  for (const reference::Scene& scene : reference::allScenes())
+  {
+    SceneRenderer subject(scene);
+    for (const double stepScale : { 0.25, 1.0 })
+    {
+      subject.stepScale = stepScale;
+      expectSamePicture(subject, subject.look({ -0.6, 0.5, -0.4 }, 30.0));
+      expectSamePicture(subject, subject.look({ 0, 0, 1 }, 0.0, 64));
+    }
+  }
+}
+
+TEST(TraversalsAgree, OnRandomHierarchies)
+{
+  for (std::uint32_t seed = 1; seed <= 12; ++seed)
+  {
+    SceneRenderer subject(reference::randomScene(seed));
+    expectSamePicture(subject, subject.look({ 0.7, -0.4, 0.5 }, 30.0));
+  }
+}
