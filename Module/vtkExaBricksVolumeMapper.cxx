@@ -127,20 +127,26 @@ bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolume
   builder->SetVectorMode(self->VectorMode);
   builder->SetVectorComponent(self->VectorComponent);
 
-  const int scalars = vtkDataSetAttributes::SCALARS;
+  // Asked for an attribute, VTK marks the filter as modified even where nothing changes: it would run
+  // again for every picture.
+  const auto useActiveScalars = [builder](int wanted) {
+    vtkInformation* present = builder->GetInputArrayInformation(0);
+    if (present->Has(vtkDataObject::FIELD_NAME()) ||
+      present->Get(vtkDataObject::FIELD_ASSOCIATION()) != wanted)
+    {
+      builder->SetInputArrayToProcess(0, 0, 0, wanted, vtkDataSetAttributes::SCALARS);
+    }
+    return true;
+  };
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   switch (self->ScalarMode)
   {
     case VTK_SCALAR_MODE_DEFAULT:
-      builder->SetInputArrayToProcess(
-        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, scalars);
-      return true;
+      return useActiveScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
     case VTK_SCALAR_MODE_USE_POINT_DATA:
-      builder->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
-      return true;
+      return useActiveScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS);
     case VTK_SCALAR_MODE_USE_CELL_DATA:
-      builder->SetInputArrayToProcess(0, 0, 0, association, scalars);
-      return true;
+      return useActiveScalars(association);
     case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
       association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
       break;

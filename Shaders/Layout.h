@@ -91,8 +91,6 @@ struct Frame
   float inverseUnit;     // 1 / scalar opacity unit distance, 1 / world length
   float terminationOpacity; // a ray ends at this opacity
   uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
-  uint nearest;             // 0: basis, 1: nearest
-  uint unused;
   uint64_t bricks;       // device addresses of Brick[], Region[], uint[], KdNode[], ...
   uint64_t regions;
   uint64_t brickLists;
@@ -111,7 +109,7 @@ static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferKnot) == 20, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 376, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -15,59 +15,90 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+// The frame's constants, read once: in the loops each use would be a load.
+Bricks bricks;
+Regions regions;
+Indices brickLists;
+TransferBins transferBins;
+TransferKnots transferKnots;
+float stepScale;
+float inverseUnit;
+float terminationOpacity;
+layout(constant_id = 0) const bool nearest = false;
+
 // What a lane knows of the region it is in, and what it has gathered.
 struct March
 {
-  uint firstBrick;
-  uint brickCount;
-  float entry;    // distance at which the ray enters the region
-  float interval; // length of an interval: a whole number of them fills the region
-  uint intervals; // number still to do
-  float next;     // number of the next one
+  Brick brick;      // the first of the region's: most regions have one alone
+  uint otherBricks; // place of the rest in the lists
+  uint otherCount;
+  float entry;    // distance at which the next interval begins (nearest), or the first one (basis)
+  float exit;     // distance at which the ray leaves the region
+  float interval; // length of an interval (basis): a whole number of them fills the region
+  float next;     // number of the next one (basis)
+  uint intervals; // number still to do; nearest: 0 or 1
   vec4 color;     // premultiplied
 };
 
-// Splits [entry, exit] into equal intervals, as near to stepScale finest cells as fits.
-void enterRegion(FrameBuffer f, uint r, float entry, float exit, inout March march)
+void enterRegion(uint r, float entry, float exit, inout March march)
 {
-  const Region region = Regions(f.frame.regions).items[r];
-  int width = 0x7fffffff;
-  for (uint k = 0; k < region.brickCount; ++k)
-  {
-    const uint brick = Indices(f.frame.brickLists).items[region.firstBrick + k];
-    width = min(width, Bricks(f.frame.bricks).items[brick].width);
-  }
-  const float step = 2.0 * f.frame.stepScale * float(width);
-  const float count = max(ceil((exit - entry) / step), 1.0);
-  march.firstBrick = region.firstBrick;
-  march.brickCount = region.brickCount;
+  const Region region = regions.items[r];
+  march.brick = bricks.items[brickLists.items[region.firstBrick]];
+  march.otherBricks = region.firstBrick + 1;
+  march.otherCount = region.brickCount - 1;
   march.entry = entry;
-  march.interval = (exit - entry) / count;
-  march.intervals = uint(count);
-  march.next = 0.0;
+  march.exit = exit;
+  march.intervals = 1;
+  if (!nearest)
+  {
+    // Equal intervals, as near to stepScale cells of the finest brick as fits.
+    int width = march.brick.width;
+    for (uint k = 0; k < march.otherCount; ++k)
+    {
+      width = min(width, bricks.items[brickLists.items[march.otherBricks + k]].width);
+    }
+    const float step = 2.0 * stepScale * float(width);
+    const float count = max(ceil((exit - entry) / step), 1.0);
+    march.interval = (exit - entry) / count;
+    march.intervals = uint(count);
+    march.next = 0.0;
+  }
 }
 
-// One interval: the value at its midpoint, its opacity corrected for its length in the world.
-void marchInterval(FrameBuffer f, Ray ray, inout March march)
+// The next interval's value and length. False: nothing to draw in it.
+bool sampleInterval(Ray ray, inout March march, out float value, out float interval)
 {
-  const float distance = march.entry + (march.next + 0.5) * march.interval;
+  if (nearest)
+  {
+    const float begin = march.entry;
+    march.entry = march.exit;
+    const bool there = sampleNearest(bricks, brickLists, march.brick, march.otherBricks,
+      march.otherCount, ray, begin, march.entry, value);
+    interval = march.entry - begin;
+    march.intervals = march.entry < march.exit ? 1 : 0;
+    return there;
+  }
+  const float middle = march.entry + (march.next + 0.5) * march.interval;
   march.next += 1.0;
   --march.intervals;
-  const vec3 offset = ray.fraction + distance * ray.direction;
-  Bricks bricks = Bricks(f.frame.bricks);
-  Indices lists = Indices(f.frame.brickLists);
+  interval = march.interval;
+  return sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
+    middle, value);
+}
+
+// One interval, its opacity corrected for its length in the world.
+void marchInterval(Ray ray, inout March march)
+{
   float value;
-  const bool there = f.frame.nearest != 0
-    ? sampleNearest(bricks, lists, march.firstBrick, march.brickCount, ray.base, offset, value)
-    : sampleBasis(bricks, lists, march.firstBrick, march.brickCount, ray.base, offset, value);
-  if (!there)
+  float interval;
+  if (!sampleInterval(ray, march, value, interval))
   {
     return;
   }
-  const vec4 color = transfer(TransferBins(f.frame.transferBins), TransferKnots(f.frame.transferKnots), value);
+  const vec4 color = transfer(transferBins, transferKnots, value);
   if (color.a > 0.0)
   {
-    const float units = march.interval * ray.worldPerHalfCell * f.frame.inverseUnit;
+    const float units = interval * ray.worldPerHalfCell * inverseUnit;
     const float alpha = 1.0 - exp2(log2(max(1.0 - color.a, 1e-37)) * units);
     march.color += (1.0 - march.color.a) * alpha * vec4(color.rgb, 1.0);
   }
@@ -75,9 +106,8 @@ void marchInterval(FrameBuffer f, Ray ray, inout March march)
 
 #ifdef TRAVERSAL_KDTREE
 // The region that holds the ray just behind `distance`, and where the ray leaves it.
-uint locate(FrameBuffer f, Ray ray, float distance, out float exit)
+uint locate(KdNodes nodes, Ray ray, float distance, out float exit)
 {
-  KdNodes nodes = KdNodes(f.frame.nodes);
   exit = ray.end;
   KdNode node = nodes.items[0];
   while ((node.link & 3u) != KD_LEAF)
@@ -97,6 +127,7 @@ uint locate(FrameBuffer f, Ray ray, float distance, out float exit)
 // region is used up.
 void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 {
+  KdNodes nodes = KdNodes(f.frame.nodes);
   double skip = 0.0LF;
   float exit = ray.begin;
   while (true)
@@ -113,18 +144,18 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
         exit = ray.begin;
       }
       const float entry = exit;
-      const uint region = locate(f, ray, entry, exit);
+      const uint region = locate(nodes, ray, entry, exit);
       if (region != KD_NO_REGION)
       {
-        enterRegion(f, region, entry, exit, march);
+        enterRegion(region, entry, exit, march);
       }
     }
     if (march.intervals == 0)
     {
       return;
     }
-    marchInterval(f, ray, march);
-    if (march.color.a >= f.frame.terminationOpacity)
+    marchInterval(ray, march);
+    if (march.color.a >= terminationOpacity)
     {
       return;
     }
@@ -134,9 +165,9 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 
 #ifdef TRAVERSAL_RAYQUERY
 // Where the ray enters and leaves a region, between `distance` and its end.
-vec2 crossing(FrameBuffer f, Ray ray, uint r, float distance)
+vec2 crossing(Ray ray, uint r, float distance)
 {
-  const Region region = Regions(f.frame.regions).items[r];
+  const Region region = regions.items[r];
   const vec3 a = (vec3(region.lo - ray.base) - ray.fraction) * ray.inverse;
   const vec3 b = (vec3(region.hi - ray.base) - ray.fraction) * ray.inverse;
   const vec3 entries = min(a, b);
@@ -180,7 +211,7 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
     while (rayQueryProceedEXT(query))
     {
       uint r = activeRegions.items[rayQueryGetIntersectionPrimitiveIndexEXT(query, false)];
-      const vec2 cross = crossing(f, ray, r, distance);
+      const vec2 cross = crossing(ray, r, distance);
       float t = cross.x;
       if (cross.x < cross.y && t < entry[NEAREST - 1])
       {
@@ -211,18 +242,18 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       {
         break;
       }
-      const vec2 cross = crossing(f, ray, region[k], distance);
+      const vec2 cross = crossing(ray, region[k], distance);
       if (cross.x > REBASE_DISTANCE)
       {
         distance = cross.x;
         rebase = true;
         break;
       }
-      enterRegion(f, region[k], cross.x, cross.y, march);
+      enterRegion(region[k], cross.x, cross.y, march);
       while (march.intervals > 0)
       {
-        marchInterval(f, ray, march);
-        if (march.color.a >= f.frame.terminationOpacity)
+        marchInterval(ray, march);
+        if (march.color.a >= terminationOpacity)
         {
           return;
         }
@@ -245,6 +276,14 @@ void main()
   {
     return;
   }
+  bricks = Bricks(f.frame.bricks);
+  regions = Regions(f.frame.regions);
+  brickLists = Indices(f.frame.brickLists);
+  transferBins = TransferBins(f.frame.transferBins);
+  transferKnots = TransferKnots(f.frame.transferKnots);
+  stepScale = f.frame.stepScale;
+  inverseUnit = f.frame.inverseUnit;
+  terminationOpacity = f.frame.terminationOpacity;
   March state;
   state.intervals = 0;
   state.color = vec4(0.0);

@@ -7,10 +7,11 @@ uvec3 cellsOf(Brick brick)
   return uvec3(brick.dimensions, brick.dimensions >> 8, brick.dimensions >> 16) & 0xffu;
 }
 
-// The point in cells from the brick's lower corner; `offset` is the point relative to the ray's base.
-vec3 toCells(Brick brick, ivec3 base, vec3 offset)
+// The ray's point at `distance`, in cells from the brick's lower corner.
+vec3 toCells(Brick brick, Ray ray, float distance)
 {
-  return (vec3(base - brick.lo) + offset) * (0.5 / float(brick.width));
+  return (vec3(ray.base - brick.lo) + (ray.fraction + distance * ray.direction)) *
+    (0.5 / float(brick.width));
 }
 
 float valueAt(Brick brick, uvec3 n, uvec3 cell)
@@ -66,40 +67,64 @@ bool inAbsentCell(Brick brick, vec3 q)
     all(lessThan(q, vec3(n))) && valueAt(brick, n, uvec3(q)) < 0.0;
 }
 
-bool sampleBasis(Bricks bricks, Indices list, uint first, uint count, ivec3 base, vec3 offset, out float value)
+bool sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
+  float distance, out float value)
 {
   float sum = 0.0;
   float weight = 0.0;
   bool absent = false;
-  for (uint k = 0; k < count; ++k)
+  for (uint k = 0;; ++k)
   {
-    const Brick brick = bricks.items[list.items[first + k]];
-    const vec3 q = toCells(brick, base, offset);
+    const vec3 q = toCells(brick, ray, distance);
     absent = absent || inAbsentCell(brick, q);
     addTents(brick, q, sum, weight);
+    if (k >= count)
+    {
+      break;
+    }
+    brick = bricks.items[list.items[others + k]];
   }
   value = sum / weight;
   return weight > 0.0 && !absent;
 }
 
-// Nearest: the value of the leaf cell that holds the point. The region lies in leaf cells, so one of
-// its bricks holds the point; by rounding it may miss them all by a hair, so take the closest.
-bool sampleNearest(Bricks bricks, Indices list, uint first, uint count, ivec3 base, vec3 offset, out float value)
+// Positions are exact to about 1e-4 half cells: this far behind a face, a point is in the next cell.
+const float BEHIND_FACE = 5e-4;
+
+// Nearest: the value of the leaf cell that the ray enters at `distance`; `end` comes as the end of
+// the region and goes as the end of the cell, if that is nearer. The field is constant in between,
+// so the integral is exact. The region lies in leaf cells, so one of its bricks holds the point; by
+// rounding it may miss them all by a hair, so take the closest.
+bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
+  float distance, inout float end, out float value)
 {
+  const float inside = min(distance + BEHIND_FACE, end);
   float closest = 1e30;
-  value = ABSENT;
-  for (uint k = 0; k < count && closest > 0.0; ++k)
+  Brick holder = brick;
+  uvec3 cell = uvec3(0);
+  for (uint k = 0;; ++k)
   {
-    const Brick brick = bricks.items[list.items[first + k]];
     const uvec3 n = cellsOf(brick);
-    const vec3 q = toCells(brick, base, offset);
+    const vec3 q = toCells(brick, ray, inside);
     const vec3 off = abs(q - clamp(q, vec3(0.0), vec3(n))) * float(brick.width);
-    const float distance = off.x + off.y + off.z;
-    if (distance < closest)
+    const float miss = off.x + off.y + off.z;
+    if (miss < closest)
     {
-      closest = distance;
-      value = valueAt(brick, n, uvec3(clamp(q, vec3(0.0), vec3(n) - 0.5)));
+      closest = miss;
+      holder = brick;
+      cell = uvec3(clamp(q, vec3(0.0), vec3(n) - 0.5));
     }
+    if (k >= count || closest == 0.0)
+    {
+      break;
+    }
+    brick = bricks.items[list.items[others + k]];
   }
+  value = valueAt(holder, cellsOf(holder), cell);
+  const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));
+  const ivec3 face = holder.lo + 2 * holder.width * ahead;
+  const float leave = min(planeDistance(ray, face.x, 0),
+    min(planeDistance(ray, face.y, 1), planeDistance(ray, face.z, 2)));
+  end = min(end, max(leave, inside));
   return value >= 0.0;
 }

@@ -76,8 +76,9 @@ bool OpenGLPicture::draw(
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->Texture->Activate();
   vtkOpenGLState::ScopedglViewport savedViewport(state);
-  this->Texture->CopyToFrameBuffer(0, 0, viewport.width - 1, viewport.height - 1, 0, 0,
-    viewport.width, viewport.height, nullptr, nullptr);
+  // It sets a viewport from (0, 0) to the size it is given, and places the picture in it.
+  this->Texture->CopyToFrameBuffer(0, 0, viewport.width - 1, viewport.height - 1, viewport.x,
+    viewport.y, viewport.x + viewport.width, viewport.y + viewport.height, nullptr, nullptr);
   this->Texture->Deactivate();
   return true;
 }

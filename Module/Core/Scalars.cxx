@@ -143,11 +143,16 @@ template <typename Work>
 bool forEachBrick(
   std::size_t count, double before, const Progress& progress, const Work& work)
 {
+  if (progress && !progress(before))
+  {
+    return false;
+  }
   std::atomic<bool> aborted{ false };
   std::atomic<std::size_t> done{ 0 };
 #pragma omp parallel
   {
     BrickReader::Scratch scratch;
+    std::size_t own = 0;
 #pragma omp for schedule(dynamic, 16)
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
     {
@@ -157,13 +162,13 @@ bool forEachBrick(
       }
       work(static_cast<std::size_t>(i), scratch);
       const std::size_t n = ++done;
-      if (progress && omp_get_thread_num() == 0 && n % 64 == 0)
+      if (progress && omp_get_thread_num() == 0 && ++own % 64 == 0)
       {
         aborted = !progress(before + 0.5 * static_cast<double>(n) / static_cast<double>(count));
       }
     }
   }
-  return !aborted;
+  return !aborted && (!progress || progress(before + 0.5));
 }
 }
 

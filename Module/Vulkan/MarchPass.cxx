@@ -25,8 +25,11 @@ void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSi
 }
 }
 
-MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal)
+MarchPass::MarchPass(
+  std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction)
   : Owner(std::move(device))
+  , How(traversal)
+  , Field(reconstruction)
   , Constants(this->Owner, sizeof(layout::Frame), Residence::Upload, "the frame's constants")
 {
   const vk::PushConstantRange push(
@@ -37,8 +40,12 @@ MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal)
   const vk::raii::ShaderModule shader(this->Owner->handle(),
     vk::ShaderModuleCreateInfo({}, rayQuery ? sizeof(MarchRayQuerySpirv) : sizeof(MarchKdTreeSpirv),
       rayQuery ? MarchRayQuerySpirv : MarchKdTreeSpirv));
+  // A constant, so that the code of one reconstruction alone is compiled.
+  const vk::Bool32 nearest = reconstruction == Reconstruction::Nearest;
+  const vk::SpecializationMapEntry entry(0, 0, sizeof(nearest));
+  const vk::SpecializationInfo constants(1, &entry, sizeof(nearest), &nearest);
   const vk::PipelineShaderStageCreateInfo stage(
-    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
+    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
   this->Pipeline = vk::raii::Pipeline(
     this->Owner->handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
 }
@@ -60,7 +67,6 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   frame.inverseUnit = static_cast<float>(1.0 / view.opacityUnitDistance);
   frame.terminationOpacity = static_cast<float>(view.terminationOpacity);
   frame.hasDepth = view.depth != nullptr;
-  frame.nearest = view.reconstruction == Reconstruction::Nearest;
   frame.depth = view.depth ? this->Depth.address() : 0;
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));

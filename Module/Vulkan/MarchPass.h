@@ -15,7 +15,10 @@ class MarchPass
 {
 public:
   /// `traversal`: RayQuery or KdTree.
-  MarchPass(std::shared_ptr<Device> device, Traversal traversal);
+  MarchPass(std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction);
+
+  Traversal traversal() const { return this->How; }
+  Reconstruction reconstruction() const { return this->Field; }
 
   /// Marches one picture. `frame` comes with all that concerns the volume; size, depth and picture
   /// are filled in here.
@@ -23,6 +26,8 @@ public:
 
 private:
   std::shared_ptr<Device> Owner;
+  Traversal How;
+  Reconstruction Field;
   vk::raii::PipelineLayout Layout = nullptr;
   vk::raii::Pipeline Pipeline = nullptr;
   Buffer Constants;

@@ -101,11 +101,9 @@ struct VolumeRenderer::Internals
       traversal = this->Device->hasRayQuery() && !this->Device->isCpu() ? Traversal::RayQuery
                                                                        : Traversal::KdTree;
     }
-    if (!this->Pass || traversal != this->Figures.traversal)
+    if (traversal != this->Figures.traversal)
     {
-      this->DropActive();
-      this->Pass.reset();
-      this->Pass = std::make_unique<vulkan::MarchPass>(this->Device, traversal);
+      this->DropActive(); // each traversal has its own form of them
       this->Figures.traversal = traversal;
     }
   }
@@ -228,6 +226,12 @@ struct VolumeRenderer::Internals
   void March(const View& view, std::vector<glm::vec4>& picture)
   {
     this->Update();
+    if (!this->Pass || this->Pass->traversal() != this->Figures.traversal ||
+      this->Pass->reconstruction() != view.reconstruction)
+    {
+      this->Pass = std::make_unique<vulkan::MarchPass>(
+        this->Device, this->Figures.traversal, view.reconstruction);
+    }
     if (!this->Subject.tree || this->Figures.activeRegions == 0)
     {
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));

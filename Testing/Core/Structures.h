@@ -12,7 +12,7 @@ namespace exabricks
 namespace testing
 {
 // Random scenes of each property test.
-constexpr std::uint32_t RandomScenes = 300;
+constexpr std::uint32_t RandomScenes = 200;
 
 struct Built
 {

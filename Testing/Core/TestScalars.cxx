@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
+#include <thread>
 
 using namespace exabricks;
 using namespace exabricks::testing;
@@ -236,6 +237,23 @@ TEST(Scalars, AreNoneWhenProgressAborts)
     EXPECT_TRUE(
       gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, abort).values.empty());
   }
+}
+
+TEST(Scalars, ReportProgressFromTheCallingThread)
+{
+  const Built built = build(twoLevels(), 1);
+  const auto caller = std::this_thread::get_id();
+  double last = 0.0;
+  const auto watch = [&](double done)
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_GE(done, last);
+    last = done;
+    return true;
+  };
+  EXPECT_FALSE(
+    gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, watch).values.empty());
+  EXPECT_EQ(last, 1.0);
 }
 
 TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)

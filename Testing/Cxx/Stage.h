@@ -138,6 +138,9 @@ struct Stage
     this->window->AddRenderer(this->renderer);
     this->volume->SetMapper(this->mapper);
     this->renderer->AddVolume(this->volume);
+    // A property makes functions with nodes at 0 and 1024 unless it is given some.
+    this->Property()->SetColor(vtkNew<vtkColorTransferFunction>());
+    this->Property()->SetScalarOpacity(vtkNew<vtkPiecewiseFunction>());
   }
 
   explicit Stage(vtkOverlappingAMR* amr, int size = 100)

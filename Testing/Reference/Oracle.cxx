@@ -180,7 +180,7 @@ void Oracle::Load(const Hierarchy& hierarchy, const LeafBoxes& leaves, const Cel
     ++this->Groups.back().end;
     this->Leaves.push_back(std::move(leaf));
   }
-#pragma omp parallel for schedule(dynamic, 16)
+#pragma omp parallel for schedule(dynamic, 16) if (this->Leaves.size() > 64)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(this->Leaves.size()); ++i)
   {
     Leaf& leaf = this->Leaves[i];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Vulkan pass draws what the formulas say: pictures at a quarter of a cell's step match the
-// double-precision oracle to 50 dB and better, and no worse at a coarser step than theory allows.
+// double-precision oracle, and get better with the square of the step.
 #include "SceneRenderer.h"
 
 using namespace exabricks;
 
 namespace
 {
-void expectMatch(const reference::Scene& scene, Reconstruction reconstruction)
+void expectMatch(const reference::Scene& scene, Reconstruction reconstruction, double bound)
 {
   SceneRenderer subject(scene);
   subject.reconstruction = reconstruction;
@@ -21,7 +21,7 @@ void expectMatch(const reference::Scene& scene, Reconstruction reconstruction)
               << " dB, coverage " << coverage(truth) << ", "
               << subject.renderer.statistics().activeRegions << " of "
               << subject.structure.tree.regions.size() << " regions active\n";
-    EXPECT_GE(quality, 50.0) << scene.name;
+    EXPECT_GE(quality, bound) << scene.name;
     EXPECT_GT(coverage(truth), 0.02) << scene.name;
   }
 }
@@ -31,7 +31,7 @@ TEST(MatchesOracle, BasisOnEveryScene)
 {
   for (const reference::Scene& scene : reference::allScenes())
   {
-    expectMatch(scene, Reconstruction::Basis);
+    expectMatch(scene, Reconstruction::Basis, 60.0);
   }
 }
 
@@ -39,7 +39,7 @@ TEST(MatchesOracle, NearestOnEveryScene)
 {
   for (const reference::Scene& scene : reference::allScenes())
   {
-    expectMatch(scene, Reconstruction::Nearest);
+    expectMatch(scene, Reconstruction::Nearest, 100.0); // exact: one interval for each cell
   }
 }
 
