@@ -6,6 +6,9 @@
 #include "Failure.h"
 #include "ParseValues.h"
 
+#include "vtkExaBricksVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkVersion.h"
 
 #include <CLI/CLI.hpp>
@@ -60,6 +63,10 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
   app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT")->required();
   app.add_option("output", o.Output, "PNG file to write")->type_name("OUTPUT.png");
   app.add_flag("--list-arrays", o.ListArrays, "Say what the input holds, and draw nothing");
+  app
+    .add_flag_callback(
+      "--list-devices", [] { throw CLI::Success(); }, "Say which Vulkan devices there are")
+    ->trigger_on_parse();
   app.add_option("--stats", o.Statistics, "Write all numbers of the run to this file")
     ->type_name("FILE.json");
   app.add_flag("-q,--quiet", o.Quiet, "Print nothing but errors");
@@ -189,6 +196,20 @@ void TakeTexts(const Texts& texts, Options& o)
   }
 }
 
+void PrintDevices(std::ostream& out)
+{
+  vtkNew<vtkStringArray> lines;
+  vtkExaBricksVolumeMapper::GetDevices(lines);
+  for (vtkIdType i = 0; i < lines->GetNumberOfValues(); ++i)
+  {
+    out << lines->GetValue(i) << '\n';
+  }
+  if (lines->GetNumberOfValues() == 0)
+  {
+    out << "no Vulkan device: install a driver (Debian: mesa-vulkan-drivers 24.1 or newer)\n";
+  }
+}
+
 void CheckTogether(const Options& o, bool viewGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
@@ -245,6 +266,10 @@ bool ParseOptions(int argc, char** argv, Options& options)
   {
     if (error.get_exit_code() == 0)
     {
+      if (app.count("--list-devices") > 0)
+      {
+        PrintDevices(std::cout);
+      }
       app.exit(error, std::cout, std::cerr);
       return false;
     }

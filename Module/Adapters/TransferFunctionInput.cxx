@@ -5,6 +5,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -14,16 +15,21 @@ namespace exabricks
 namespace
 {
 // Straight pieces that stand for a curved stretch between two nodes (midpoints, sharpness, colour
-// spaces other than RGB, logarithmic scale): VTK itself draws them from tables of 256 to 1024 for
-// the whole range.
-constexpr int PiecesPerCurve = 64;
+// spaces other than RGB, logarithmic scale): enough for half a step of an 8-bit colour. VTK itself
+// draws them from tables of 256 to 1024 for the whole range. Functions of many nodes bend less between
+// two of them.
+int countPieces(int nodes)
+{
+  return std::clamp(4096 / std::max(nodes, 1), 16, 256);
+}
 
 // The values at which a function has nodes, or bends between them.
 struct Bends
 {
   std::set<double> Values;
 
-  void AddStretch(double from, double to, double midpoint, double sharpness, bool straight, bool log)
+  void AddStretch(
+    double from, double to, double midpoint, double sharpness, bool straight, bool log, int pieces)
   {
     this->Values.insert(from);
     this->Values.insert(to);
@@ -32,9 +38,9 @@ struct Bends
       return;
     }
     const bool byFactor = log && from > 0.0 && to > 0.0;
-    for (int i = 1; i < PiecesPerCurve; ++i)
+    for (int i = 1; i < pieces; ++i)
     {
-      const double part = static_cast<double>(i) / PiecesPerCurve;
+      const double part = static_cast<double>(i) / pieces;
       this->Values.insert(
         byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
     }
@@ -52,7 +58,8 @@ struct Bends
       if (i + 1 < function->GetSize())
       {
         function->GetNodeValue(i + 1, next);
-        this->AddStretch(node[0], next[0], node[2], node[3], true, function->GetUseLogScale());
+        this->AddStretch(node[0], next[0], node[2], node[3], true, function->GetUseLogScale(),
+          countPieces(function->GetSize()));
       }
     }
   }
@@ -70,7 +77,8 @@ struct Bends
       if (i + 1 < function->GetSize())
       {
         function->GetNodeValue(i + 1, next);
-        this->AddStretch(node[0], next[0], node[4], node[5], straight, log);
+        this->AddStretch(node[0], next[0], node[4], node[5], straight, log,
+          countPieces(function->GetSize()));
       }
     }
   }

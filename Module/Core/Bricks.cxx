@@ -21,7 +21,7 @@ public:
     const Progress& progress)
     : Leaves(leaves)
     , CellWidth(cellWidth)
-    , MaximumCells(maximumCells)
+    , MaximumCells(std::clamp(maximumCells, 1, MaximumBrickCells))
     , Report(progress)
     , Area(cellWidth.size())
     , Straddling(cellWidth.size())

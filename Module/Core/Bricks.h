@@ -26,14 +26,14 @@ struct Brick
   }
 };
 
-/// Most cells of a brick along an axis. 8 bits hold it on the device. Small bricks skip empty space
-/// better, large ones need fewer regions: 16 was measured to be best.
-constexpr int DefaultBrickCells = 16;
+/// Most cells of a brick along an axis. Of 8, 16 and 32, 32 drew fastest by either traversal, and took
+/// least memory (Testing/Benchmarks); the device has 8 bits for it.
+constexpr int DefaultBrickCells = 32;
 constexpr int MaximumBrickCells = 255;
 
 /// Partitions the leaf cells into bricks by a top-down k-d tree over the leaf boxes: a node with more
 /// than one level, or holes, is split along its longest axis at a plane where something changes.
-/// Returns no bricks if `progress` aborts.
+/// `maximumCells` is taken into [1, MaximumBrickCells]. Returns no bricks if `progress` aborts.
 std::vector<Brick> buildBricks(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth,
   int maximumCells = DefaultBrickCells, const Progress& progress = {});
 }

@@ -69,6 +69,9 @@ public:
     {
       this->Tree.nodes.clear();
     }
+    this->Tree.nodes.shrink_to_fit();
+    this->Tree.regions.shrink_to_fit();
+    this->Tree.brickLists.shrink_to_fit();
     return std::move(this->Tree);
   }
 

@@ -75,7 +75,7 @@ bool TransferFunction::visible(const ValueRange& range) const
   return true;
 }
 
-bool TransferFunction::sameOpacity(const TransferFunction& other) const
+bool TransferFunction::showsTheSame(const TransferFunction& other) const
 {
   return this->Transparent == other.Transparent;
 }

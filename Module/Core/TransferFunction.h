@@ -35,8 +35,8 @@ public:
   std::vector<layout::TransferBin> makeBins() const;
   std::vector<layout::TransferKnot> makeKnots() const;
 
-  /// Equal opacity everywhere: the active regions can be kept.
-  bool sameOpacity(const TransferFunction& other) const;
+  /// Shows the same values as the other: the active regions can be kept.
+  bool showsTheSame(const TransferFunction& other) const;
 
 private:
   std::vector<Point> Points;

@@ -331,7 +331,7 @@ std::string VolumeRenderer::setTransferFunction(const TransferFunction& transfer
 {
   this->Data->ColorsReady = false;
   this->Data->OpacityReady =
-    this->Data->OpacityReady && transfer.sameOpacity(this->Data->Transfer);
+    this->Data->OpacityReady && transfer.showsTheSame(this->Data->Transfer);
   this->Data->Transfer = transfer;
   return this->Data->Guard([&] { this->Data->Update(); });
 }

@@ -229,6 +229,6 @@ TEST(TransferFunction, OfTheDeviceFollowsPointsFarOutside)
 TEST(TransferFunction, KnowsWhetherTheSameValuesAreTransparent)
 {
   const TransferFunction transfer({ gray(0.25, 0.0), gray(0.5, 1.0) });
-  EXPECT_TRUE(transfer.sameOpacity(TransferFunction({ gray(0.25, 0.0), gray(0.5, 1.0) })));
-  EXPECT_FALSE(transfer.sameOpacity(TransferFunction({ gray(0.3, 0.0), gray(0.5, 1.0) })));
+  EXPECT_TRUE(transfer.showsTheSame(TransferFunction({ gray(0.25, 0.0), gray(0.5, 1.0) })));
+  EXPECT_FALSE(transfer.showsTheSame(TransferFunction({ gray(0.3, 0.0), gray(0.5, 1.0) })));
 }

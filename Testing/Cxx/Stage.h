@@ -152,6 +152,19 @@ struct Stage
   vtkVolumeProperty* Property() { return this->volume->GetProperty(); }
 };
 
+/// A window that is there all the while: Xvfb starts anew when its last client has left, and refuses
+/// windows meanwhile.
+struct KeepDisplay
+{
+  vtkNew<vtkRenderWindow> window;
+
+  KeepDisplay()
+  {
+    this->window->SetSize(10, 10);
+    this->window->Render();
+  }
+};
+
 /// Looks along -z, in parallel projection, at a square of `width` around (x, y, z).
 inline void lookAlongZ(vtkRenderer* renderer, double x, double y, double z, double width)
 {
