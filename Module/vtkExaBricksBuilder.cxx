@@ -170,7 +170,7 @@ int vtkExaBricksBuilder::RequestData(
   if (!input.fault.empty())
   {
     vtkErrorMacro(<< input.fault << ".");
-    return 0;
+    return 1; // nothing to show: on 0 the executive would say a second, unclear error
   }
   exabricks::AMRCellSource source(
     input, this->VectorMode == COMPONENT ? this->VectorComponent : -1);
@@ -180,7 +180,7 @@ int vtkExaBricksBuilder::RequestData(
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
-    return 0;
+    return 1;
   }
 
   const auto progress = [this](double from, double to) {

@@ -46,7 +46,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
 
-  std::set<std::string> Said; // warnings, once each
+  std::set<std::string> Said;     // warnings, once each
+  std::string ConfigurationFault; // empty if the builder has the mapper's input and array
 
   void WarnOnce(vtkExaBricksVolumeMapper* self, const std::string& what)
   {
@@ -58,8 +59,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   // Says what of the scene is not supported. False: nothing can be drawn.
   bool CheckSupport(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property);
-  // Points the builder to the mapper's input and array.
-  bool ConfigureBuilder(vtkExaBricksVolumeMapper* self);
+  // Points the builder to the mapper's input and array; returns why it cannot.
+  std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
   // Hands the renderer what has changed; returns what went wrong.
   std::string UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
 };
@@ -108,16 +109,14 @@ bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
   return true;
 }
 
-bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
+std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
 {
   vtkAlgorithmOutput* input = self->GetNumberOfInputConnections(0) > 0
     ? self->GetInputConnection(0, 0)
     : nullptr;
   if (!input)
   {
-    vtkErrorWithObjectMacro(
-      self, "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection().");
-    return false;
+    return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
   }
   vtkExaBricksBuilder* builder = this->Builder;
   if (builder->GetNumberOfInputConnections(0) == 0 || builder->GetInputConnection(0, 0) != input)
@@ -136,7 +135,7 @@ bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolume
     {
       builder->SetInputArrayToProcess(0, 0, 0, wanted, vtkDataSetAttributes::SCALARS);
     }
-    return true;
+    return std::string();
   };
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   switch (self->ScalarMode)
@@ -153,10 +152,8 @@ bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolume
     case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
       break;
     default:
-      vtkErrorWithObjectMacro(self,
-        "Expected a scalar mode of points or cells, found " << self->GetScalarModeAsString()
-                                                            << ". Call one of SetScalarModeTo...");
-      return false;
+      return std::string("Expected a scalar mode of points or cells, found ") +
+        self->GetScalarModeAsString() + ". Call one of SetScalarModeTo...";
   }
   std::string name = self->ArrayName ? self->ArrayName : "";
   if (self->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
@@ -170,16 +167,14 @@ bool vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolume
       data && self->ArrayId >= 0 ? data->GetArrayName(self->ArrayId) : nullptr;
     if (!found)
     {
-      vtkErrorWithObjectMacro(self,
-        "Expected the number of an array from 0 to "
-          << (data ? data->GetNumberOfArrays() - 1 : -1) << ", found " << self->ArrayId
-          << ". Call SelectScalarArray() with the name of an array.");
-      return false;
+      return "Expected the number of an array from 0 to " +
+        std::to_string(data ? data->GetNumberOfArrays() - 1 : -1) + ", found " +
+        std::to_string(self->ArrayId) + ". Call SelectScalarArray() with the name of an array";
     }
     name = found;
   }
   builder->SetInputArrayToProcess(0, 0, 0, association, name.c_str());
-  return true;
+  return {};
 }
 
 std::string vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
@@ -322,7 +317,14 @@ double* vtkExaBricksVolumeMapper::GetBounds()
 
 void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
 {
-  if (this->Internals->ConfigureBuilder(this))
+  // vtkVolume updates before each picture, and Render() once more: a fault is said once.
+  const std::string fault = this->Internals->ConfigureBuilder(this);
+  if (!fault.empty() && fault != this->Internals->ConfigurationFault)
+  {
+    vtkErrorMacro(<< fault << ".");
+  }
+  this->Internals->ConfigurationFault = fault;
+  if (fault.empty())
   {
     this->Internals->Builder->Update();
   }
@@ -342,7 +344,8 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   this->Update();
   const vtkExaBricksData* data = internals.Builder->GetOutput();
-  if (!data || !data->GetContents() || ren->GetRenderWindow()->CheckAbortStatus())
+  if (!internals.ConfigurationFault.empty() || !data || !data->GetContents() ||
+    ren->GetRenderWindow()->CheckAbortStatus())
   {
     return; // the builder has said why
   }

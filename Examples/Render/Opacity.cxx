@@ -12,11 +12,11 @@ namespace render
 namespace
 {
 
-constexpr int Intervals = 64; // of the opacity function
+constexpr int Intervals = 20; // of the opacity function
 constexpr double BackgroundShare = 0.8;
 constexpr double MeanOpticalDepth = 1.2;
 constexpr double MeanPath = 50.0;         // in unit distances
-constexpr double LargestExtinction = 2.0; // per unit distance: opacity 0.86
+constexpr double LargestExtinction = 5.0; // per unit distance: opacity 0.993
 constexpr double SmallestExtinction = 0.02;
 
 // 0 in the background, up to 1 at the rarest values that are farthest from the most common one.

@@ -18,10 +18,10 @@ struct RegionTree
   std::vector<layout::KdNode> nodes; // the root first
 };
 
-/// Splitting stops at lists of this many bricks: a brick too many in a list weighs 0, costs a little
-/// at each sample, and saves regions. Of 1 to 6, 2 drew fastest by the k-d tree; 3 and 4 halve the
-/// regions for 5 to 15 % more time (Testing/Benchmarks).
-constexpr int DefaultBricksPerRegion = 2;
+/// Splitting stops at lists of this many bricks. A brick too many in a list weighs 0 and saves
+/// regions, but costs at each sample: of 1 to 6, 1 and 2 drew fastest, and 1 skips best
+/// (Testing/Benchmarks).
+constexpr int DefaultBricksPerRegion = 1;
 
 /// The support of a brick is its box grown by half its own cell. Regions are cut at the faces of
 /// supports, and at the faces of bricks where data end: a region lies in leaf cells altogether or

@@ -51,7 +51,8 @@ inline Field constant(double value)
   return [value](double, double, double) { return value; };
 }
 
-/// Boxes and spacings, but null for every block. `blocks` of each level in the order of their index.
+/// Boxes and spacings, but null for every block. `blocks` of each level in the order of their
+/// index.
 inline vtkSmartPointer<vtkOverlappingAMR> makeNullBlocks(
   const std::vector<Block>& blocks, const Lattice& lattice = {})
 {
@@ -108,7 +109,8 @@ inline vtkSmartPointer<vtkUniformGrid> makeGrid(
 }
 
 /// Gives the grid a cell array of `field`, as its active scalars.
-inline vtkDoubleArray* addCells(vtkUniformGrid* grid, const Field& field, const char* name = "value")
+inline vtkDoubleArray* addCells(
+  vtkUniformGrid* grid, const Field& field, const char* name = "value")
 {
   vtkNew<vtkDoubleArray> values;
   values->SetName(name);
@@ -126,8 +128,8 @@ inline vtkDoubleArray* addCells(vtkUniformGrid* grid, const Field& field, const 
 }
 
 /// Calls `visit(block, grid)` for every block that is there.
-inline void forEachGrid(
-  vtkOverlappingAMR* amr, const std::function<void(unsigned int level, vtkUniformGrid* grid)>& visit)
+inline void forEachGrid(vtkOverlappingAMR* amr,
+  const std::function<void(unsigned int level, vtkUniformGrid* grid)>& visit)
 {
   for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
   {

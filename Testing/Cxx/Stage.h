@@ -152,8 +152,8 @@ struct Stage
   vtkVolumeProperty* Property() { return this->volume->GetProperty(); }
 };
 
-/// A window that is there all the while: Xvfb starts anew when its last client has left, and refuses
-/// windows meanwhile.
+/// A window that is there all the while: Xvfb starts anew when its last client has left, and
+/// refuses windows meanwhile.
 struct KeepDisplay
 {
   vtkNew<vtkRenderWindow> window;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What of an AMR is there: hidden cells, NaN and missing blocks leave holes, ghost layers and
-// duplicates do not count, and coarse cells under a missing fine block are drawn. Below a bowl, cut by
-// hidden cells.
+// duplicates do not count, and coarse cells under a missing fine block are drawn. Below a bowl, cut
+// by hidden cells.
 
 #include "AMR.h"
 #include "Checks.h"
@@ -29,17 +29,13 @@ void mark(vtkUniformGrid* grid, unsigned char kind, const test::Field& marked)
   {
     double b[6];
     grid->GetCellBounds(cell, b);
-    const bool is =
-      marked(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5])) != 0.0;
+    const bool is = marked(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5])) != 0.0;
     ghosts->SetValue(cell, is ? kind : 0);
   }
   grid->GetCellData()->AddArray(ghosts);
 }
 
-double upperHalf(double, double, double z)
-{
-  return z > 4.0 ? 1.0 : 0.0;
-}
+double upperHalf(double, double, double z) { return z > 4.0 ? 1.0 : 0.0; }
 
 struct Scene
 {
@@ -77,28 +73,28 @@ int TestAbsentCells(int argc, char* argv[])
   const vtkIdType leaves = 8 * 8 * 8 - 4 * 4 * 4 + 8 * 8 * 8;
 
   // Hidden cells, NaN and infinite values are transparent.
-  const auto junkAbove = [](double x, double y, double z) { return upperHalf(x, y, z) != 0.0 ? Junk : 1.0; };
+  const auto junkAbove = [](double x, double y, double z)
+  { return upperHalf(x, y, z) != 0.0 ? Junk : 1.0; };
   auto hidden = test::makeAMR(blocks, junkAbove);
-  test::forEachGrid(hidden, [](unsigned int, vtkUniformGrid* grid) {
-    mark(grid, vtkDataSetAttributes::HIDDENCELL, upperHalf);
-  });
+  test::forEachGrid(hidden,
+    [](unsigned int, vtkUniformGrid* grid)
+    { mark(grid, vtkDataSetAttributes::HIDDENCELL, upperHalf); });
   vtkExaBricksData* data = scene.Show(hidden, 4.0, "hidden cells");
   checks.Equal(data->GetNumberOfLeafCells(), leaves, "hidden cells are leaf cells");
   checks.Equal(data->GetNumberOfAbsentCells(), 8 * 8 * 4, "hidden cells are absent");
   for (const double value : { std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
   {
-    auto holes = test::makeAMR(blocks, [value](double x, double y, double z) {
-      return upperHalf(x, y, z) != 0.0 ? value : 1.0;
-    });
+    auto holes = test::makeAMR(blocks,
+      [value](double x, double y, double z) { return upperHalf(x, y, z) != 0.0 ? value : 1.0; });
     scene.Show(holes, 4.0, "value " + std::to_string(value));
   }
 
   // Cells marked as refined (wrongly so here) are found anew from the blocks.
   auto refined = test::makeAMR(blocks, test::constant(1.0));
-  test::forEachGrid(refined, [](unsigned int, vtkUniformGrid* grid) {
-    mark(grid, vtkDataSetAttributes::REFINEDCELL, upperHalf);
-  });
+  test::forEachGrid(refined,
+    [](unsigned int, vtkUniformGrid* grid)
+    { mark(grid, vtkDataSetAttributes::REFINEDCELL, upperHalf); });
   scene.Show(refined, 8.0, "marked as refined");
 
   // Grids larger than their AMR boxes.
@@ -107,10 +103,12 @@ int TestAbsentCells(int argc, char* argv[])
   {
     auto grid = test::makeGrid(block, {}, 2);
     const double size = block.level == 0 ? 8.0 : 4.0;
-    test::addCells(grid, [size](double x, double y, double z) {
-      const bool inside = std::min({ x, y, z }) > 0.0 && std::max({ x, y, z }) < size;
-      return inside ? 1.0 : Junk;
-    });
+    test::addCells(grid,
+      [size](double x, double y, double z)
+      {
+        const bool inside = std::min({ x, y, z }) > 0.0 && std::max({ x, y, z }) < size;
+        return inside ? 1.0 : Junk;
+      });
     ghosts->SetDataSet(block.level, 0, grid);
   }
   data = scene.Show(ghosts, 8.0, "ghost layers");
@@ -156,12 +154,15 @@ int TestAbsentCells(int argc, char* argv[])
   checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
 
   // For the eye.
-  auto bowl = test::makeAMR({ { 0, { 0, 0, 0 }, { 16, 16, 16 } }, { 1, { 8, 8, 0 }, { 16, 16, 16 } } },
-    [](double x, double y, double z) { return std::hypot(x - 8.0, y - 8.0, z - 8.0); });
-  test::forEachGrid(bowl, [](unsigned int, vtkUniformGrid* grid) {
-    mark(grid, vtkDataSetAttributes::HIDDENCELL,
-      [](double, double, double z) { return z > 9.0 ? 1.0 : 0.0; });
-  });
+  auto bowl =
+    test::makeAMR({ { 0, { 0, 0, 0 }, { 16, 16, 16 } }, { 1, { 8, 8, 0 }, { 16, 16, 16 } } },
+      [](double x, double y, double z) { return std::hypot(x - 8.0, y - 8.0, z - 8.0); });
+  test::forEachGrid(bowl,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      mark(grid, vtkDataSetAttributes::HIDDENCELL,
+        [](double, double, double z) { return z > 9.0 ? 1.0 : 0.0; });
+    });
   stage.mapper->SetInputData(bowl);
   stage.mapper->SetStepScale(0.25); // an edge of hidden cells is as sharp as a step
   stage.Property()->GetRGBTransferFunction()->AddRGBPoint(4.0, 1.0, 0.9, 0.3);

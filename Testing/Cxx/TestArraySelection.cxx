@@ -12,8 +12,8 @@
 
 namespace
 {
-void addArray(vtkDataSetAttributes* data, vtkIdType tuples, const char* name,
-  const std::vector<double>& tuple)
+void addArray(
+  vtkDataSetAttributes* data, vtkIdType tuples, const char* name, const std::vector<double>& tuple)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -30,11 +30,13 @@ void addArray(vtkDataSetAttributes* data, vtkIdType tuples, const char* name,
 vtkSmartPointer<vtkOverlappingAMR> makeManyArrays()
 {
   auto amr = test::makeAMR(test::cornerRefined(), test::constant(1.0)); // "value", active
-  test::forEachGrid(amr, [](unsigned int, vtkUniformGrid* grid) {
-    addArray(grid->GetCellData(), grid->GetNumberOfCells(), "other", { 2.0 });
-    addArray(grid->GetCellData(), grid->GetNumberOfCells(), "vector", { 3.0, 4.0, 12.0 });
-    addArray(grid->GetPointData(), grid->GetNumberOfPoints(), "points", { 6.0 });
-  });
+  test::forEachGrid(amr,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      addArray(grid->GetCellData(), grid->GetNumberOfCells(), "other", { 2.0 });
+      addArray(grid->GetCellData(), grid->GetNumberOfCells(), "vector", { 3.0, 4.0, 12.0 });
+      addArray(grid->GetPointData(), grid->GetNumberOfPoints(), "points", { 6.0 });
+    });
   return amr;
 }
 
@@ -89,8 +91,8 @@ int TestArraySelection(int, char*[])
   for (int component = 0; component < 3; ++component)
   {
     mapper->SetVectorComponent(component);
-    selection.Is("vector", component == 2 ? 12.0 : 3.0 + component,
-      "component " + std::to_string(component));
+    selection.Is(
+      "vector", component == 2 ? 12.0 : 3.0 + component, "component " + std::to_string(component));
   }
   mapper->SelectScalarArray("other");
   selection.Is("other", 2.0, "an array of one component has no others");

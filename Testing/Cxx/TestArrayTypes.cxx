@@ -33,18 +33,20 @@ double mixed(double x, double y, double z)
 Result build(const test::Field& field, const std::function<vtkSmartPointer<vtkDataArray>()>& make)
 {
   auto amr = test::makeAMR(test::cornerRefined(), field);
-  test::forEachGrid(amr, [&](unsigned int, vtkUniformGrid* grid) {
-    vtkDataArray* doubles = grid->GetCellData()->GetScalars();
-    vtkSmartPointer<vtkDataArray> array = make();
-    array->SetName("typed");
-    array->SetNumberOfComponents(1); // which a struct of arrays wants to be told
-    array->SetNumberOfTuples(doubles->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < doubles->GetNumberOfTuples(); ++i)
+  test::forEachGrid(amr,
+    [&](unsigned int, vtkUniformGrid* grid)
     {
-      array->SetComponent(i, 0, doubles->GetComponent(i, 0));
-    }
-    grid->GetCellData()->SetScalars(array);
-  });
+      vtkDataArray* doubles = grid->GetCellData()->GetScalars();
+      vtkSmartPointer<vtkDataArray> array = make();
+      array->SetName("typed");
+      array->SetNumberOfComponents(1); // which a struct of arrays wants to be told
+      array->SetNumberOfTuples(doubles->GetNumberOfTuples());
+      for (vtkIdType i = 0; i < doubles->GetNumberOfTuples(); ++i)
+      {
+        array->SetComponent(i, 0, doubles->GetComponent(i, 0));
+      }
+      grid->GetCellData()->SetScalars(array);
+    });
   vtkNew<vtkExaBricksBuilder> builder;
   builder->SetInputDataObject(amr);
   builder->Update();
@@ -63,7 +65,8 @@ Result build(const test::Field& field, const std::function<vtkSmartPointer<vtkDa
 
 std::function<vtkSmartPointer<vtkDataArray>()> ofType(int type)
 {
-  return [type] { return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type)); };
+  return [type]
+  { return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type)); };
 }
 }
 
@@ -80,9 +83,9 @@ int TestArrayTypes(int, char*[])
   checks.Equal(doubles.leafCells, 8 * 8 * 8 - 4 * 4 * 4 + 8 * 8 * 8, "leaf cells");
   checks.Equal(sum, doubles.leafCells, "each leaf cell is counted once");
 
-  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
-         VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-         VTK_ID_TYPE, VTK_FLOAT })
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
   {
     const Result typed = build(mixed, ofType(type));
     const std::string name = vtkImageScalarTypeNameMacro(type);
@@ -98,15 +101,18 @@ int TestArrayTypes(int, char*[])
     "histogram as bits");
 
   // A small range on top of a large number, and the largest range there is.
-  const Result offset = build(
-    [](double x, double y, double z) { return 4503599627370496.0 + mixed(x, y, z); },
-    ofType(VTK_LONG_LONG));
-  checks.Equal(offset.range[1] - offset.range[0], doubles.range[1] - doubles.range[0], "2^52 + value");
+  const Result offset =
+    build([](double x, double y, double z) { return 4503599627370496.0 + mixed(x, y, z); },
+      ofType(VTK_LONG_LONG));
+  checks.Equal(
+    offset.range[1] - offset.range[0], doubles.range[1] - doubles.range[0], "2^52 + value");
   checks.Expect(offset.histogram == doubles.histogram, "histogram of 2^52 + value");
   constexpr double most = std::numeric_limits<double>::max();
-  const Result wide = build(
-    [](double x, double, double) { return x < 1.0 ? -most : x > 7.0 ? most : 0.0; },
-    ofType(VTK_DOUBLE));
+  const Result wide =
+    build([](double x, double, double) { return x < 1.0 ? -most
+                                           : x > 7.0    ? most
+                                                        : 0.0; },
+      ofType(VTK_DOUBLE));
   checks.Expect(wide.range[0] == -most && wide.range[1] == most, "range of all doubles");
   checks.Expect(wide.histogram[Bins / 2] > wide.histogram[0] && wide.histogram[0] > 0 &&
       wide.histogram[Bins - 1] > 0,

@@ -62,11 +62,11 @@ struct Scene
     this->checks.Says(this->messages.TakeErrors(), words, what);
     this->checks.Expect(test::Picture(this->stage.window).Center()[1] == 0.0,
       what + ": only the square is to be seen once more");
-    this->messages.TakeErrors();
+    this->checks.Expect(
+      this->messages.Errors().empty(), what + ": said again: " + this->messages.TakeErrors());
   }
 
-  void Fails(
-    vtkOverlappingAMR* amr, const std::vector<std::string>& words, const std::string& what)
+  void Fails(vtkOverlappingAMR* amr, const std::vector<std::string>& words, const std::string& what)
   {
     this->stage.mapper->SetInputData(amr);
     this->Fails(words, what);
@@ -125,6 +125,8 @@ int TestBadInput(int, char*[])
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectScalarArray("pressure");
   scene.Fails(good, { "'pressure'", "'value'" }, "a missing array");
+  mapper->SelectScalarArray(0);
+  scene.Works("the first array");
   mapper->SelectScalarArray(3);
   scene.Fails({ "from 0 to 0", "found 3" }, "a missing array by number");
   mapper->SetScalarModeToUsePointFieldData();
@@ -136,23 +138,28 @@ int TestBadInput(int, char*[])
     [](unsigned int, vtkUniformGrid* grid) { grid->GetCellData()->SetActiveScalars(nullptr); });
   scene.Fails(inactive, { "active scalars", "'value'" }, "no active scalars");
   auto oneWithout = test::makeAMR(blocks, test::constant(1.0));
-  test::forEachGrid(oneWithout, [](unsigned int level, vtkUniformGrid* grid) {
-    if (level == 1)
+  test::forEachGrid(oneWithout,
+    [](unsigned int level, vtkUniformGrid* grid)
     {
-      grid->GetCellData()->Initialize();
-    }
-  });
-  scene.Fails(oneWithout, { "in every block", "no arrays", "level 1" }, "an array of some blocks only");
+      if (level == 1)
+      {
+        grid->GetCellData()->Initialize();
+      }
+    });
+  scene.Fails(
+    oneWithout, { "in every block", "no arrays", "level 1" }, "an array of some blocks only");
   auto vectors = test::makeAMR(blocks, test::constant(1.0));
-  test::forEachGrid(vectors, [](unsigned int, vtkUniformGrid* grid) {
-    vtkNew<vtkDoubleArray> three;
-    three->SetName("velocity");
-    three->SetNumberOfComponents(3);
-    three->SetNumberOfTuples(grid->GetNumberOfCells());
-    three->FillValue(1.0);
-    grid->GetCellData()->AddArray(three);
-    grid->GetCellData()->SetActiveScalars("velocity");
-  });
+  test::forEachGrid(vectors,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      vtkNew<vtkDoubleArray> three;
+      three->SetName("velocity");
+      three->SetNumberOfComponents(3);
+      three->SetNumberOfTuples(grid->GetNumberOfCells());
+      three->FillValue(1.0);
+      grid->GetCellData()->AddArray(three);
+      grid->GetCellData()->SetActiveScalars("velocity");
+    });
   mapper->SetVectorModeToComponent();
   mapper->SetVectorComponent(3);
   scene.Fails(vectors, { "'velocity'", "below 3", "3" }, "a component out of range");
@@ -201,7 +208,8 @@ int TestBadInput(int, char*[])
 
   // All cells absent: no fault, but nothing to see.
   mapper->SetInputData(test::makeAMR(blocks, test::constant(std::nan(""))));
-  checks.Expect(test::Picture(scene.stage.window).Center()[1] == 0.0, "nothing but NaN draws nothing");
+  checks.Expect(
+    test::Picture(scene.stage.window).Center()[1] == 0.0, "nothing but NaN draws nothing");
   checks.Expect(scene.messages.Errors().empty(), "nothing but NaN is no error");
   double range[2];
   mapper->GetBuilder()->GetOutput()->GetScalarRange(range);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The builder by itself: what it counts, when it builds bricks anew, how it reports progress and how
-// it is aborted, and bricks and regions as VTK cells.
+// The builder by itself: what it counts, when it builds bricks anew, how it reports progress and
+// how it is aborted, and bricks and regions as VTK cells.
 
 #include "AMR.h"
 #include "Checks.h"
@@ -19,10 +19,7 @@ const std::vector<test::Block> blocks{ { 0, { 0, 0, 0 }, { 8, 8, 8 } },
   { 0, { 8, 0, 0 }, { 4, 8, 8 } }, { 1, { 4, 8, 0 }, { 16, 12, 8 } } };
 constexpr double DomainVolume = 12 * 8 * 8; // of which cells have 1.0
 
-double ramp(double x, double, double)
-{
-  return x;
-}
+double ramp(double x, double, double) { return x; }
 
 void checkCounts(test::Checks& checks)
 {
@@ -61,7 +58,8 @@ void checkStructureIsKept(test::Checks& checks)
 {
   vtkNew<vtkExaBricksBuilder> builder;
   const auto show = [&](const std::vector<test::Block>& boxes, const test::Field& field,
-                      const test::Lattice& place, int builds, const std::string& what) {
+                      const test::Lattice& place, int builds, const std::string& what)
+  {
     builder->SetInputDataObject(test::makeAMR(boxes, field, place));
     builder->Update();
     checks.Equal(builder->GetNumberOfStructureBuilds(), builds, what);
@@ -177,7 +175,8 @@ void checkCells(test::Checks& checks)
     checks.Expect(range[0] > b[0] && range[1] < b[1], "range of brick " + std::to_string(i));
   }
   checks.Equal(cellSum, data->GetNumberOfLeafCells(), "cells of the bricks");
-  checks.Equal(bricks->GetCellData()->GetArray("Level")->GetRange()[1], 1, "finest level of bricks");
+  checks.Equal(
+    bricks->GetCellData()->GetArray("Level")->GetRange()[1], 1, "finest level of bricks");
 
   vtkNew<vtkUnstructuredGrid> regions;
   vtkNew<vtkPiecewiseFunction> opacity;
@@ -191,7 +190,8 @@ void checkCells(test::Checks& checks)
     const double greatest = regions->GetCellData()->GetArray("Range")->GetTuple2(i)[1];
     const bool isActive = regions->GetCellData()->GetArray("Active")->GetTuple1(i) != 0.0;
     checks.Expect(isActive == (greatest > 3.0), "activity at " + std::to_string(greatest));
-    checks.Expect(regions->GetCellData()->GetArray("BrickCount")->GetTuple1(i) >= 1.0, "brick count");
+    checks.Expect(
+      regions->GetCellData()->GetArray("BrickCount")->GetTuple1(i) >= 1.0, "brick count");
     active += isActive;
   }
   checks.Expect(active > 0 && active < regions->GetNumberOfCells(), "some regions are active");

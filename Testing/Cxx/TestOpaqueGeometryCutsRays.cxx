@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opaque geometry hides what of the volume is behind it: rays end at its depth, so that a plane in the
-// middle leaves half the length.
+// Opaque geometry hides what of the volume is behind it: rays end at its depth, so that a plane in
+// the middle leaves half the length.
 
-#include "Checks.h"
 #include "AMR.h"
+#include "Checks.h"
 #include "Stage.h"
 
 #include "vtkActor.h"
@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr double Unit = 8.0;    // all through the cube: opacity 0.5
+constexpr double Unit = 8.0; // all through the cube: opacity 0.5
 constexpr double Opacity = 0.5;
 
 // A red square across the left half of the view, at height z.
@@ -60,7 +60,8 @@ int TestOpaqueGeometryCutsRays(int argc, char* argv[])
       const double length = std::min(8.0, std::max(0.0, 8.0 - z));
       const double green = test::opacityOf(Opacity, length, Unit);
       const std::string where = " with the plane at " + std::to_string(z);
-      // The depth buffer has 24 bits: between near and far planes that is less than a colour's step.
+      // The depth buffer has 24 bits: between near and far planes that is less than a colour's
+      // step.
       checks.Near(picture.At(50, 100)[1], green, 1.5 * test::OneStep, "green" + where);
       checks.Near(picture.At(50, 100)[0], 1.0 - green, 1.5 * test::OneStep, "red" + where);
       checks.Near(picture.At(150, 100)[1], Opacity, test::OneStep, "green beside it" + where);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a file to a picture: a reader, the mapper and a volume, as with any volume mapper of VTK. Left
-// the vorticity, right the density of a Rayleigh-Taylor instability on three levels.
+// From a file to a picture: a reader, the mapper and a volume, as with any volume mapper of VTK.
+// Left the vorticity, right the density of a Rayleigh-Taylor instability on three levels.
 
 #include "Checks.h"
 #include "Stage.h"
@@ -84,9 +84,10 @@ int TestReaderToPicture(int argc, char* argv[])
   checks.Equal(data->GetNumberOfLeafCells(), 549120, "leaf cells");
   checks.Equal(data->GetNumberOfAbsentCells(), 0, "absent cells");
   checks.Near(range[1], 18.7710, 1e-4, "greatest magvort");
-  checks.Expect(stage.mapper->GetNumberOfActiveRegions() < data->GetNumberOfRegions(),
-    "still gas is skipped");
-  checks.Equal(density->GetBuilder()->GetNumberOfStructureBuilds(), 1, "builds of the right mapper");
+  checks.Expect(
+    stage.mapper->GetNumberOfActiveRegions() < data->GetNumberOfRegions(), "still gas is skipped");
+  checks.Equal(
+    density->GetBuilder()->GetNumberOfStructureBuilds(), 1, "builds of the right mapper");
 
   // The heavy gas lies above, the mixing zone in the middle.
   const auto above = picture.Mean(180, 210, 270, 240);

@@ -53,7 +53,8 @@ int TestSharedScene(int argc, char* argv[])
   // Four views: each draws into its own part of the window only.
   stage.renderer->SetViewport(0.0, 0.0, 0.5, 0.5);
   vtkNew<vtkRenderer> views[3];
-  const test::Picture::Color colors[3] = { { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 1.0 } };
+  const test::Picture::Color colors[3] = { { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0 },
+    { 1.0, 0.0, 1.0 } };
   std::vector<Extra> extras;
   extras.reserve(3);
   for (int i = 0; i < 3; ++i)
@@ -117,7 +118,8 @@ int TestSharedScene(int argc, char* argv[])
     checks.Near(resized.Coverage(), 0.64, 0.08, "coverage at size " + std::to_string(size));
     checks.Near(resized.Center()[2], samples.Center()[2], 4.0 * test::OneStep, "middle, resized");
   }
-  checks.Expect(four.Difference(test::Picture(stage.window)) == 0.0, "the first window is unchanged");
+  checks.Expect(
+    four.Difference(test::Picture(stage.window)) == 0.0, "the first window is unchanged");
 
   const int image = vtkRegressionTestImage(stage.window);
   return image == vtkTesting::FAILED ? EXIT_FAILURE : checks.Status();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colours and opacities are those that VTK's own functions give, at every value: any colour space,
-// scale, midpoint, sharpness and rule for values outside of the nodes. Read off blocks of one value.
+// scale, midpoint, sharpness and rule for values outside of the nodes. Read off blocks of one
+// value.
 
 #include "AMR.h"
 #include "Checks.h"
@@ -26,9 +27,9 @@ struct Row
       blocks.push_back({ 0, { static_cast<int>(2 * i), 0, 0 }, { 2, 2, 2 } });
     }
     const int n = static_cast<int>(this->values.size());
-    this->stage.mapper->SetInputData(test::makeAMR(blocks, [this](double x, double, double) {
-      return this->values[static_cast<std::size_t>(x / Width)];
-    }));
+    this->stage.mapper->SetInputData(test::makeAMR(blocks,
+      [this](double x, double, double)
+      { return this->values[static_cast<std::size_t>(x / Width)]; }));
     this->stage.mapper->SetReconstructionToNearest(); // no values in between
     this->stage.window->SetSize(10 * n, 10);
     test::lookAlongZ(this->stage.renderer, n, 1.0, 1.0, Width);
@@ -70,8 +71,8 @@ struct Row
 };
 
 // Values at nodes, between and outside of them.
-const std::vector<double> someValues{ 0.01, 0.1, 0.5, 1.0, 1.7, 2.9, 4.0, 6.3, 9.5, 20.0, 55.0, 60.0,
-  99.0, 100.0, 120.0 };
+const std::vector<double> someValues{ 0.01, 0.1, 0.5, 1.0, 1.7, 2.9, 4.0, 6.3, 9.5, 20.0, 55.0,
+  60.0, 99.0, 100.0, 120.0 };
 
 void addNodes(vtkColorTransferFunction* color, double midpoint = 0.5, double sharpness = 0.0)
 {
@@ -134,7 +135,8 @@ void checkOpacities(test::Checks& checks)
   Row row(someValues);
   test::setConstantColor(row.stage.Property(), 0.0, { 1.0, 0.8, 0.6 });
   vtkPiecewiseFunction* opacity = row.stage.Property()->GetScalarOpacity();
-  const auto addOpacities = [&](double midpoint, double sharpness) {
+  const auto addOpacities = [&](double midpoint, double sharpness)
+  {
     opacity->RemoveAllPoints();
     opacity->AddPoint(0.1, 0.9, midpoint, sharpness);
     opacity->AddPoint(4.0, 0.0, midpoint, sharpness);
@@ -161,7 +163,8 @@ void checkOpacities(test::Checks& checks)
     {
       addOpacities(midpoint, sharpness);
       row.Check(checks,
-        "opacity midpoint " + std::to_string(midpoint) + ", sharpness " + std::to_string(sharpness));
+        "opacity midpoint " + std::to_string(midpoint) + ", sharpness " +
+          std::to_string(sharpness));
     }
   }
 }

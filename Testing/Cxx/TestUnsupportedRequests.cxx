@@ -26,12 +26,13 @@ int TestUnsupportedRequests(int, char*[])
     { vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, "minimum intensity" },
     { vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, "average intensity" },
     { vtkVolumeMapper::ADDITIVE_BLEND, "additive" },
-    { vtkVolumeMapper::ISOSURFACE_BLEND, "iso-surface" },
-    { vtkVolumeMapper::SLICE_BLEND, "slice" } };
+    { vtkVolumeMapper::ISOSURFACE_BLEND, "iso-surface" }, { vtkVolumeMapper::SLICE_BLEND, "slice" }
+  };
   for (const auto& mode : modes)
   {
     mapper->SetBlendMode(mode.first);
-    checks.Equal(test::Picture(stage.window).Coverage(), 0.0, std::string(mode.second) + " draws nothing");
+    checks.Equal(
+      test::Picture(stage.window).Coverage(), 0.0, std::string(mode.second) + " draws nothing");
     checks.Equal(messages.Errors().size(), 1, std::string("errors of ") + mode.second);
     checks.Says(messages.TakeErrors(), { mode.second, "SetBlendModeToComposite" }, mode.second);
   }
@@ -39,40 +40,50 @@ int TestUnsupportedRequests(int, char*[])
   checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "composite is drawn");
 
   // Each said once, over several pictures, and drawn without.
-  const auto warnsOnce = [&](const std::string& word, const std::function<void()>& set) {
+  const auto warnsOnce = [&](const std::string& word, const std::function<void()>& set)
+  {
     set();
     for (int i = 0; i < 3; ++i)
     {
-      checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "drawn without " + word);
+      checks.Near(
+        test::Picture(stage.window).Center()[0], drawn, test::OneStep, "drawn without " + word);
     }
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
     checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
   };
   vtkVolumeProperty* property = stage.Property();
   warnsOnce("Shading", [&] { property->ShadeOn(); });
-  warnsOnce("Gradient opacity", [&] {
-    vtkNew<vtkPiecewiseFunction> gradient;
-    gradient->AddPoint(0.0, 0.0);
-    gradient->AddPoint(1.0, 1.0);
-    property->SetGradientOpacity(gradient);
-  });
-  warnsOnce("Cropping", [&] {
-    mapper->CroppingOn();
-    mapper->SetCroppingRegionPlanes(2.0, 3.0, 2.0, 3.0, 2.0, 3.0);
-  });
-  warnsOnce("Clipping planes", [&] {
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(4.0, 4.0, 4.0);
-    mapper->AddClippingPlane(plane);
-  });
-  warnsOnce("2-D transfer functions", [&] {
-    vtkNew<vtkImageData> table;
-    table->SetDimensions(2, 2, 1);
-    table->AllocateScalars(VTK_FLOAT, 4);
-    property->SetTransferFunction2D(table);
-    property->SetTransferFunctionModeTo2D();
-  });
-  property->SetTransferFunctionModeTo1D();
+  warnsOnce("Gradient opacity",
+    [&]
+    {
+      vtkNew<vtkPiecewiseFunction> gradient;
+      gradient->AddPoint(0.0, 0.0);
+      gradient->AddPoint(1.0, 1.0);
+      property->SetGradientOpacity(gradient);
+    });
+  warnsOnce("Cropping",
+    [&]
+    {
+      mapper->CroppingOn();
+      mapper->SetCroppingRegionPlanes(2.0, 3.0, 2.0, 3.0, 2.0, 3.0);
+    });
+  warnsOnce("Clipping planes",
+    [&]
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(4.0, 4.0, 4.0);
+      mapper->AddClippingPlane(plane);
+    });
+  warnsOnce("2-D transfer functions",
+    [&]
+    {
+      vtkNew<vtkImageData> table;
+      table->SetDimensions(2, 2, 1);
+      table->AllocateScalars(VTK_FLOAT, 4);
+      property->SetTransferFunction2D(table);
+      property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+    });
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
 
   // Devices are named in the error, to choose from.
@@ -82,7 +93,8 @@ int TestUnsupportedRequests(int, char*[])
   mapper->SetDevice("abacus");
   checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "no device draws nothing");
   checks.Equal(messages.Errors().size(), 1, "errors of a wrong device");
-  const std::string inUse = [&] {
+  const std::string inUse = [&]
+  {
     mapper->SetDevice("");
     test::Picture picture(stage.window);
     checks.Near(picture.Center()[0], drawn, test::OneStep, "the best device draws");

@@ -10,10 +10,7 @@
 
 namespace
 {
-double ball(double x, double y, double z)
-{
-  return std::hypot(x - 3.0, y - 4.0, z - 5.0);
-}
+double ball(double x, double y, double z) { return std::hypot(x - 3.0, y - 4.0, z - 5.0); }
 
 // A ball off the middle, its rim bluer.
 void showBall(vtkVolumeProperty* property)

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens a .vthb file and shows one of its arrays as a volume, in a window to turn with the mouse.
+//   Minimal Testing/Data/rt_medium/rt_medium.vthb magvort
+
+#include "vtkColorTransferFunction.h"
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
+#include "vtkExaBricksVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkXMLUniformGridAMRReader.h"
+
+#include <iostream>
+
+int main(int argc, char** argv)
+{
+  if (argc != 3)
+  {
+    std::cerr << "usage: Minimal FILE.vthb ARRAY\n";
+    return 2;
+  }
+  vtkNew<vtkXMLUniformGridAMRReader> reader;
+  reader->SetFileName(argv[1]);
+  reader->SetMaximumLevelsToReadByDefault(0); // all of them
+
+  vtkNew<vtkExaBricksVolumeMapper> mapper;
+  mapper->SetInputConnection(reader->GetOutputPort());
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectScalarArray(argv[2]);
+  mapper->Update();
+  double range[2];
+  mapper->GetBuilder()->GetOutput()->GetScalarRange(range); // of the leaf cells
+  double spacing[3];
+  mapper->GetBuilder()->GetOutput()->GetFinestSpacing(spacing);
+
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(range[0], 0.2, 0.3, 0.8);
+  colors->AddRGBPoint(range[1], 1.0, 0.8, 0.3);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(range[0] + 0.1 * (range[1] - range[0]), 0.0);
+  opacity->AddPoint(range[1], 0.2);
+
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(colors);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(spacing[0]);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddVolume(volume);
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(800, 600);
+  window->AddRenderer(renderer);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  window->Render();
+  interactor->Start();
+  return 0;
+}

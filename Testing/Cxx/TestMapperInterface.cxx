@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK expects of any volume mapper: bounds, events, time to draw, selection, printing, and
+// setters that keep to their ranges.
+
+#include "AMR.h"
+#include "Checks.h"
+#include "Stage.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCallbackCommand.h"
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
+#include "vtkHardwareSelector.h"
+#include "vtkSelection.h"
+#include "vtkTrivialProducer.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+void record(vtkObject*, unsigned long event, void* list, void*)
+{
+  static_cast<std::vector<unsigned long>*>(list)->push_back(event);
+}
+
+std::string print(vtkObject* object)
+{
+  std::ostringstream text;
+  object->Print(text);
+  return text.str();
+}
+}
+
+int TestMapperInterface(int, char*[])
+{
+  test::Checks checks;
+  test::Stage stage(50);
+  vtkExaBricksVolumeMapper* mapper = stage.mapper;
+
+  // Bounds: none without data, those of the AMR as soon as its source can tell them.
+  vtkNew<vtkTrivialProducer> producer;
+  checks.Expect(!vtkBoundingBox::IsValid(mapper->GetBounds()), "bounds without input");
+  checks.Expect(!vtkBoundingBox::IsValid(stage.renderer->ComputeVisiblePropBounds()),
+    "bounds of a scene without input");
+  producer->SetOutput(vtkNew<vtkOverlappingAMR>());
+  mapper->SetInputConnection(producer->GetOutputPort());
+  checks.Expect(!vtkBoundingBox::IsValid(mapper->GetBounds()), "bounds of an AMR never initialised");
+  const test::Lattice lattice{ { -4.0, 0.0, 1.0 }, { 0.5, 1.0, 2.0 } };
+  producer->SetOutput(test::makeAMR(test::cornerRefined(), test::constant(1.0), lattice));
+  const double expected[6] = { -4.0, 0.0, 0.0, 8.0, 1.0, 17.0 };
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    checks.Near(bounds[i], expected[i], 1e-12, "bound " + std::to_string(i));
+    checks.Near(stage.volume->GetBounds()[i], expected[i], 1e-12, "bound of the volume");
+  }
+
+  // Events and time.
+  test::setConstantColor(stage.Property(), 0.5);
+  stage.renderer->ResetCamera();
+  std::vector<unsigned long> events;
+  vtkNew<vtkCallbackCommand> recorder;
+  recorder->SetCallback(record);
+  recorder->SetClientData(&events);
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, recorder);
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, recorder);
+  for (int i = 0; i < 2; ++i)
+  {
+    events.clear();
+    checks.Expect(test::Picture(stage.window).Coverage() > 0.1, "the volume is drawn");
+    checks.Expect(events ==
+        std::vector<unsigned long>{
+          vtkCommand::VolumeMapperRenderStartEvent, vtkCommand::VolumeMapperRenderEndEvent },
+      "one start event and one end event for a picture");
+    checks.Expect(mapper->GetTimeToDraw() > 0.0, "time to draw");
+  }
+  checks.Expect(mapper->GetMarchTime() > 0.0 && mapper->GetUploadTime() > 0.0, "times of the parts");
+
+  // Nothing is made again for another picture, nor bricks for other colours.
+  const vtkMTimeType made = mapper->GetBuilder()->GetOutput()->GetMTime();
+  stage.Property()->GetRGBTransferFunction()->AddRGBPoint(2.0, 0.0, 1.0, 0.0);
+  test::Picture(stage.window);
+  checks.Equal(mapper->GetBuilder()->GetOutput()->GetMTime(), made, "time of the builder's output");
+
+  // Selection: colours are not taken for ids.
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(stage.renderer);
+  selector->SetArea(0, 0, 49, 49);
+  auto selected = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  checks.Expect(!selected || selected->GetNumberOfNodes() == 0, "the volume is not selected");
+  checks.Expect(test::Picture(stage.window).Coverage() > 0.1, "drawn again after a selection");
+
+  // An aborted picture draws nothing and crashes nothing.
+  stage.window->SetAbortRender(1);
+  mapper->Render(stage.renderer, stage.volume);
+  stage.window->SetAbortRender(0);
+
+  // Ranges of the setters.
+  checks.Equal(mapper->GetStepScale(), 1.0, "default step scale");
+  mapper->SetStepScale(0.0);
+  checks.Equal(mapper->GetStepScale(), 0.001, "least step scale");
+  mapper->SetStepScale(1e9);
+  checks.Equal(mapper->GetStepScale(), 1000.0, "greatest step scale");
+  checks.Equal(mapper->GetEarlyTerminationOpacity(), 0.999, "default early termination");
+  mapper->SetEarlyTerminationOpacity(2.0);
+  checks.Equal(mapper->GetEarlyTerminationOpacity(), 1.0, "greatest early termination");
+  mapper->SetReconstruction(17);
+  checks.Expect(mapper->GetReconstructionAsString() == std::string("Nearest"), "reconstruction");
+  mapper->SetTraversal(-1);
+  checks.Expect(mapper->GetTraversalAsString() == std::string("Automatic"), "traversal");
+  mapper->SetVectorComponent(-3);
+  checks.Equal(mapper->GetVectorComponent(), 0, "least component");
+
+  // Printing names every member.
+  checks.Says(print(mapper),
+    { "Reconstruction: Nearest", "StepScale: 1000", "Traversal: Automatic",
+      "EarlyTerminationOpacity: 1", "VectorMode: Magnitude", "VectorComponent: 0", "Device: (best)",
+      "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "DeviceMemory: " },
+    "print of the mapper");
+  checks.Says(print(mapper->GetBuilder()),
+    { "VectorMode: Magnitude", "VectorComponent: 0", "NumberOfStructureBuilds: 1" },
+    "print of the builder");
+  checks.Says(print(mapper->GetBuilder()->GetOutput()),
+    { "Levels: 2", "Blocks: 2", "LeafCells: 960", "Bricks: ", "Regions: ", "ArrayName: value",
+      "ScalarRange: 1, 1" },
+    "print of the data");
+  checks.Says(print(vtkSmartPointer<vtkExaBricksData>::New()), { "ArrayName: (none)" }, "empty data");
+  checks.Says(
+    print(vtkSmartPointer<vtkExaBricksVolumeMapper>::New()), { "TraversalUsed: none" }, "new mapper");
+  return checks.Status();
+}
