@@ -36,7 +36,6 @@ struct Brick
   ivec3 lo;        // lower corner, half cells
   int width;       // of a cell, in finest cells
   uint dimensions; // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
-  uint unused;
   uint64_t values; // device address of the first value; x runs fastest
 };
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
@@ -84,7 +83,6 @@ struct Frame
   dmat4 ndcToHalfCells; // normalised device coordinates to half cells
   dmat4 ndcToWorld;
   ivec3 size; // of the bounds, half cells
-  uint regionCount; // active ones, as many as the acceleration structure has boxes
   uint width; // pixels
   uint height;
   float stepScale;       // step in finest cells of the region

@@ -240,7 +240,6 @@ struct VolumeRenderer::Internals
     const Stopwatch watch;
     layout::Frame frame{};
     frame.size = this->Subject.tree->size;
-    frame.regionCount = static_cast<std::uint32_t>(this->Figures.activeRegions);
     frame.bricks = this->Bricks.address();
     frame.regions = this->Regions.address();
     frame.brickLists = this->BrickLists.address();

@@ -7,6 +7,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
 namespace exabricks
@@ -72,8 +73,8 @@ vtkSmartPointer<vtkPiecewiseFunction> cutOff(vtkPiecewiseFunction* from)
 
 struct Traverser
 {
-  DirectRenderer& Direct;
-  const char* Name;
+  DirectRenderer& direct;
+  const char* name;
 };
 
 // Counts as kept what the renderer did not time anew.
@@ -124,14 +125,14 @@ std::vector<Change> measureChanges(
   std::vector<Change> changes;
   for (const auto& other : others)
   {
-    std::vector<Change> pair{ { other.first, traversers[0].Name },
-      { other.first, traversers[1].Name } };
+    std::vector<Change> pair{ { other.first, traversers[0].name },
+      { other.first, traversers[1].name } };
     for (int i = 0; i < 2 * request.rounds; ++i)
     {
       vtkVolumeProperty* property = i % 2 == 0 ? other.second : original;
       for (int t = 0; t < 2; ++t)
       {
-        DirectRenderer& direct = traversers[t].Direct;
+        DirectRenderer& direct = traversers[t].direct;
         const auto before = direct.renderer.statistics();
         pair[t].total.measure(
           [&] { direct.setTransferFunction(makeTransferFunction(property, range)); });
@@ -141,7 +142,7 @@ std::vector<Change> measureChanges(
     changes.insert(changes.end(), pair.begin(), pair.end());
   }
 
-  std::vector<Change> pair{ { "camera", traversers[0].Name }, { "camera", traversers[1].Name } };
+  std::vector<Change> pair{ { "camera", traversers[0].name }, { "camera", traversers[1].name } };
   vtkCamera* camera = subject.renderer()->GetActiveCamera();
   for (int i = 0; i < 2 * request.rounds; ++i)
   {
@@ -149,7 +150,7 @@ std::vector<Change> measureChanges(
     const View view = subject.makeView(request.draw.Size, 1.0);
     for (int t = 0; t < 2; ++t)
     {
-      DirectRenderer& direct = traversers[t].Direct;
+      DirectRenderer& direct = traversers[t].direct;
       const auto before = direct.renderer.statistics();
       pair[t].total.measure([&] { direct.render(view); });
       look(pair[t], before, direct.renderer.statistics());

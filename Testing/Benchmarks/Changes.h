@@ -11,6 +11,12 @@ namespace benchmarks
 {
 struct Change
 {
+  Change(const std::string& changed, const std::string& by)
+    : what(changed)
+    , traversal(by)
+  {
+  }
+
   std::string what;
   std::string traversal;
   Costs total;               // from VTK's functions to tables on the device; of the camera: a frame

@@ -6,7 +6,7 @@
 #include "Output.h"
 
 #include "vtkImageData.h"
-#include "vtkRenderWindow.h"
+#include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>

@@ -50,7 +50,7 @@ struct DirectRenderer
 
   VolumeRenderer renderer;
   std::vector<glm::vec4> pixels;
-  double setUp = 0.0; // upload, colours, opacity and what the driver does first
+  double setUp = 0.0; // seconds: upload, colours, opacity
 };
 
 /// That renderer at a step scale. `direct` has to live as long as the method.

@@ -9,13 +9,12 @@
 #include "Reference/Oracle.h"
 #include "Vulkan/VolumeRenderer.h"
 
-#include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 
-class vtkOverlappingAMR;
 class vtkRenderer;
-class vtkRenderWindow;
 class vtkVolumeProperty;
 
 namespace render

