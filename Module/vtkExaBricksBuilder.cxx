@@ -30,9 +30,8 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 std::string listArrays(vtkDataSet* block)
 {
   std::set<std::string> names;
-  for (vtkDataSetAttributes* data :
-    { static_cast<vtkDataSetAttributes*>(block->GetCellData()),
-      static_cast<vtkDataSetAttributes*>(block->GetPointData()) })
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(block->GetCellData()),
+         static_cast<vtkDataSetAttributes*>(block->GetPointData()) })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -75,8 +74,9 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
     if (!array)
     {
       vtkInformation* wanted = self->GetInputArrayInformation(0);
-      const char* wantedName =
-        wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+      const char* wantedName = wanted->Has(vtkDataObject::FIELD_NAME())
+        ? wanted->Get(vtkDataObject::FIELD_NAME())
+        : nullptr;
       const exabricks::Block& block = input.hierarchy.blocks[b];
       fault = (wantedName ? "expected an array '" + std::string(wantedName) + "'"
                           : "expected active scalars") +
@@ -101,7 +101,8 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
       vtkNew<vtkPointDataToCellData> convert;
       convert->SetInputData(points);
       convert->Update();
-      array = vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(array->GetName());
+      array =
+        vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(array->GetName());
       if (!this->SaidPointsAreConverted)
       {
         this->SaidPointsAreConverted = true;
@@ -183,8 +184,10 @@ int vtkExaBricksBuilder::RequestData(
     return 1;
   }
 
-  const auto progress = [this](double from, double to) {
-    return [this, from, to](double done) {
+  const auto progress = [this](double from, double to)
+  {
+    return [this, from, to](double done)
+    {
       this->UpdateProgress(from + (to - from) * done);
       return !this->GetAbortExecute();
     };

@@ -103,17 +103,16 @@ bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
   }
   if (ren->GetUseDepthPeeling() && ren->GetUseDepthPeelingForVolumes())
   {
-    this->WarnOnce(self,
-      "Depth peeling cannot include this volume: it is drawn over translucent geometry.");
+    this->WarnOnce(
+      self, "Depth peeling cannot include this volume: it is drawn over translucent geometry.");
   }
   return true;
 }
 
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
 {
-  vtkAlgorithmOutput* input = self->GetNumberOfInputConnections(0) > 0
-    ? self->GetInputConnection(0, 0)
-    : nullptr;
+  vtkAlgorithmOutput* input =
+    self->GetNumberOfInputConnections(0) > 0 ? self->GetInputConnection(0, 0) : nullptr;
   if (!input)
   {
     return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
@@ -126,9 +125,10 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
   builder->SetVectorMode(self->VectorMode);
   builder->SetVectorComponent(self->VectorComponent);
 
-  // Asked for an attribute, VTK marks the filter as modified even where nothing changes: it would run
-  // again for every picture.
-  const auto useActiveScalars = [builder](int wanted) {
+  // Asked for an attribute, VTK marks the filter as modified even where nothing changes: it would
+  // run again for every picture.
+  const auto useActiveScalars = [builder](int wanted)
+  {
     vtkInformation* present = builder->GetInputArrayInformation(0);
     if (present->Has(vtkDataObject::FIELD_NAME()) ||
       present->Get(vtkDataObject::FIELD_ASSOCIATION()) != wanted)
@@ -163,8 +163,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
     vtkOverlappingAMR* amr = vtkOverlappingAMR::SafeDownCast(self->GetDataObjectInput());
     vtkDataSet* block = amr ? exabricks::getFirstBlock(amr) : nullptr;
     vtkDataSetAttributes* data = block ? block->GetAttributes(association) : nullptr;
-    const char* found =
-      data && self->ArrayId >= 0 ? data->GetArrayName(self->ArrayId) : nullptr;
+    const char* found = data && self->ArrayId >= 0 ? data->GetArrayName(self->ArrayId) : nullptr;
     if (!found)
     {
       return "Expected the number of an array from 0 to " +
@@ -184,22 +183,25 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
   std::string fault = this->Renderer.selectDevice(self->Device ? self->Device : "");
   const bool newData = contents != this->Contents;
-  if (fault.empty() && (newData || property != this->Property || property->GetMTime() > this->PropertyTime))
+  if (fault.empty() &&
+    (newData || property != this->Property || property->GetMTime() > this->PropertyTime))
   {
     // Nodes are normalised to the range of the data, so new data want new tables too.
     this->Property = property;
     this->PropertyTime = property->GetMTime();
+    // The function first: its active regions are those of the data that follow.
+    fault = this->Renderer.setTransferFunction(
+      exabricks::makeTransferFunction(property, contents->Scalars.range));
     if (newData)
     {
       // The old data are let go only once nothing points to them.
       const auto previous = this->Contents;
       this->Contents = contents;
-      fault = this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
-        &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
+      const std::string other =
+        this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
+          &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
+      fault = fault.empty() ? other : fault;
     }
-    const std::string other = this->Renderer.setTransferFunction(
-      exabricks::makeTransferFunction(property, contents->Scalars.range));
-    fault = fault.empty() ? other : fault;
   }
   return fault;
 }
@@ -209,10 +211,7 @@ vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
 {
 }
 
-vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper()
-{
-  this->SetDevice(nullptr);
-}
+vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper() { this->SetDevice(nullptr); }
 
 int vtkExaBricksVolumeMapper::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -246,10 +245,7 @@ void vtkExaBricksVolumeMapper::GetDevices(vtkStringArray* lines)
   }
 }
 
-vtkExaBricksBuilder* vtkExaBricksVolumeMapper::GetBuilder()
-{
-  return this->Internals->Builder;
-}
+vtkExaBricksBuilder* vtkExaBricksVolumeMapper::GetBuilder() { return this->Internals->Builder; }
 
 const char* vtkExaBricksVolumeMapper::GetDeviceName()
 {
@@ -359,8 +355,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     exabricks::View view = exabricks::makeView(ren, vol, *internals.Contents);
     view.width = viewport.width;
     view.height = viewport.height;
-    const bool hasDepth =
-      exabricks::OpenGLPicture::readDepth(ren, viewport, internals.Depth);
+    const bool hasDepth = exabricks::OpenGLPicture::readDepth(ren, viewport, internals.Depth);
     view.depth = hasDepth ? internals.Depth.data() : nullptr;
     view.reconstruction = this->Reconstruction == NEAREST ? exabricks::Reconstruction::Nearest
                                                           : exabricks::Reconstruction::Basis;

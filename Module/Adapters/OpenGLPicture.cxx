@@ -26,8 +26,7 @@ OpenGLPicture::Viewport OpenGLPicture::findViewport(vtkRenderer* ren)
   return { viewport[0], viewport[1], viewport[2], viewport[3] };
 }
 
-bool OpenGLPicture::readDepth(
-  vtkRenderer* ren, const Viewport& viewport, std::vector<float>& depth)
+bool OpenGLPicture::readDepth(vtkRenderer* ren, const Viewport& viewport, std::vector<float>& depth)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);

@@ -16,12 +16,9 @@ namespace
 {
 // Straight pieces that stand for a curved stretch between two nodes (midpoints, sharpness, colour
 // spaces other than RGB, logarithmic scale): enough for half a step of an 8-bit colour. VTK itself
-// draws them from tables of 256 to 1024 for the whole range. Functions of many nodes bend less between
-// two of them.
-int countPieces(int nodes)
-{
-  return std::clamp(4096 / std::max(nodes, 1), 16, 256);
-}
+// draws them from tables of 256 to 1024 for the whole range. Functions of many nodes bend less
+// between two of them.
+int countPieces(int nodes) { return std::clamp(4096 / std::max(nodes, 1), 16, 256); }
 
 // The values at which a function has nodes, or bends between them.
 struct Bends
@@ -41,8 +38,7 @@ struct Bends
     for (int i = 1; i < pieces; ++i)
     {
       const double part = static_cast<double>(i) / pieces;
-      this->Values.insert(
-        byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
+      this->Values.insert(byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
     }
     this->Values.insert(from + midpoint * (to - from)); // where a sharp stretch jumps
   }
@@ -77,8 +73,8 @@ struct Bends
       if (i + 1 < function->GetSize())
       {
         function->GetNodeValue(i + 1, next);
-        this->AddStretch(node[0], next[0], node[4], node[5], straight, log,
-          countPieces(function->GetSize()));
+        this->AddStretch(
+          node[0], next[0], node[4], node[5], straight, log, countPieces(function->GetSize()));
       }
     }
   }
@@ -95,18 +91,19 @@ TransferFunction sampleAtBends(
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<TransferFunction::Point> points;
-  const auto colorAt = [&](double value) {
-    return glm::clamp(evaluate(value), glm::dvec4(0.0), glm::dvec4(1.0));
-  };
-  const auto add = [&](float normalized, const glm::dvec4& color) {
-    const double value = points.empty() ? normalized
-                                        : std::max<double>(normalized, points.back().value);
+  const auto colorAt = [&](double value)
+  { return glm::clamp(evaluate(value), glm::dvec4(0.0), glm::dvec4(1.0)); };
+  const auto add = [&](float normalized, const glm::dvec4& color)
+  {
+    const double value =
+      points.empty() ? normalized : std::max<double>(normalized, points.back().value);
     if (points.empty() || points.back().value != value || points.back().color != color)
     {
       points.push_back({ value, color });
     }
   };
-  const auto jumps = [](const glm::dvec4& a, const glm::dvec4& b) {
+  const auto jumps = [](const glm::dvec4& a, const glm::dvec4& b)
+  {
     const glm::dvec4 change = glm::abs(a - b);
     return std::max({ change.r, change.g, change.b, change.a }) > 1e-6;
   };
@@ -142,17 +139,19 @@ TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& 
   {
     vtkPiecewiseFunction* gray = property->GetGrayTransferFunction(0);
     bends.Add(gray);
-    return sampleAtBends(bends, range, [=](double value) {
-      return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value));
-    });
+    return sampleAtBends(bends, range,
+      [=](double value)
+      { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
   }
   vtkColorTransferFunction* colors = property->GetRGBTransferFunction(0);
   bends.Add(colors);
-  return sampleAtBends(bends, range, [=](double value) {
-    double rgb[3];
-    colors->GetColor(value, rgb);
-    return glm::dvec4(rgb[0], rgb[1], rgb[2], opacity->GetValue(value));
-  });
+  return sampleAtBends(bends, range,
+    [=](double value)
+    {
+      double rgb[3];
+      colors->GetColor(value, rgb);
+      return glm::dvec4(rgb[0], rgb[1], rgb[2], opacity->GetValue(value));
+    });
 }
 
 TransferFunction makeTransferFunction(vtkPiecewiseFunction* opacity, const Range& range)

@@ -71,6 +71,8 @@ bool parse(int argc, char** argv, Request& request)
   app.add_option("--scene", request.scene, "JSON file with camera and transfer function");
   app.add_option("--rounds", request.rounds, "Frames and changes to take the median of [7]")
     ->check(CLI::Range(1, 10000));
+  app.add_option("--step-scales", request.stepScales, "Of the direct methods [1,0.25]")
+    ->delimiter(',');
   app.add_option("--oracle-step", request.oracleStep, "In finest cells [1/32]")
     ->check(CLI::PositiveNumber);
   app.add_flag("--peers", request.peers, "Measure VTK's other mappers too");
@@ -183,7 +185,7 @@ void run(const Request& request)
   DirectRenderer kdTree(subject, Traversal::KdTree);
   DirectRenderer rayQuery(subject, Traversal::RayQuery);
   std::vector<Method> methods;
-  for (const double scale : { 1.0, 0.25 })
+  for (const double scale : request.stepScales)
   {
     const std::string name = ", step " + number(scale, "%g");
     methods.push_back(
@@ -230,6 +232,7 @@ void run(const Request& request)
   printChanges(changes);
   std::printf("\nload average %.1f before, %.1f after; %u processors\n", loadBefore, load(),
     std::thread::hardware_concurrency());
+  std::fflush(stdout);
 
   if (!request.json.empty())
   {

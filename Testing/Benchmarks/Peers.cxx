@@ -121,6 +121,9 @@ Method makeMultiBlock(const Subject& subject, const Request& request, bool blank
     [&]
     {
       vtkNew<vtkMultiBlockVolumeMapper> mapper;
+      // Never destroyed: where VTK 9.1 cannot sort the blocks, it keeps some of their mappers
+      // twice, and frees them twice.
+      mapper->Register(nullptr);
       mapper->SetInputDataObject(makeBlocks(subject, blanked));
       mapper->SetRequestedRenderMode(vtkSmartVolumeMapper::GPURenderMode);
       mapper->SetScalarModeToUseCellFieldData();

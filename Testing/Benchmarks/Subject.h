@@ -33,6 +33,7 @@ struct Request
   std::string scene; // JSON file, or empty
   std::string json;
   std::string pictures; // prefix of the pictures' names
+  std::vector<double> stepScales{ 1.0, 0.25 };
   int rounds = 7;
   double oracleStep = 1.0 / 32.0;
   bool peers = false;

@@ -150,7 +150,7 @@ int TestReconstructions(int argc, char* argv[])
   // For the eye: nearest above, basis below.
   mapper->SetReconstructionToNearest();
   stage.renderer->SetViewport(0.0, 0.5, 1.0, 1.0);
-  camera->Zoom(1.6);
+  camera->Zoom(1.4);
   vtkNew<vtkExaBricksVolumeMapper> smooth;
   smooth->SetInputDataObject(mapper->GetInputDataObject(0, 0));
   vtkNew<vtkVolume> volume;

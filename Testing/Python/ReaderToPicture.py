@@ -21,7 +21,7 @@ testing = vtkTesting()
 for argument in sys.argv[1:]:
     testing.AddArgument(argument)
 testing.AddArgument("-V")
-testing.AddArgument(os.path.join(testing.GetBaselineRoot(), "PythonReaderToPicture.png"))
+testing.AddArgument(os.path.join(sys.argv[sys.argv.index("-B") + 1], "PythonReaderToPicture.png"))
 
 reader = vtkXMLUniformGridAMRReader()
 reader.SetFileName(os.path.join(testing.GetDataRoot(), "rt_medium", "rt_medium.vthb"))
