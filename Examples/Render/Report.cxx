@@ -184,15 +184,17 @@ void PrintReport(std::ostream& out, const Run& run)
   Line(out, "Set-up") << "read " << Milliseconds(run.ReadTime) << ", structure "
                       << Milliseconds(data->GetStructureTime()) << ", scalars "
                       << Milliseconds(data->GetScalarsTime()) << ", upload "
-                      << Milliseconds(mapper->GetUploadTime()) << ", opacity "
-                      << Milliseconds(mapper->GetOpacityTime()) << '\n';
+                      << Milliseconds(mapper->GetUploadTime()) << '\n';
+  Line(out, "Changes") << "of colours " << Milliseconds(mapper->GetColorTime()) << ", of opacity "
+                       << Milliseconds(mapper->GetOpacityTime()) << ", of the camera "
+                       << Milliseconds(mapper->GetMarchTime()) << " (marching)\n";
   Line(out, "Frame") << "first " << Milliseconds(run.Result.FirstFrameTime);
   if (!run.Result.FrameTimes.empty())
   {
     out << ", median of " << run.Result.FrameTimes.size() << " more "
         << Milliseconds(run.Result.MedianFrameTime());
   }
-  out << ", march of the last " << Milliseconds(mapper->GetMarchTime()) << '\n';
+  out << '\n';
   Line(out, "Memory") << Mebibytes(HostBytes(data)) << " host, "
                       << Mebibytes(static_cast<double>(mapper->GetDeviceMemory())) << " device\n";
   PrintNotes(out, run);

@@ -9,8 +9,8 @@
 //              wall and processor time (medians; all methods are drawn in turn), time of the march
 //              alone, and PSNR of the whole picture with a peak of 1. By "direct", the renderer of
 //              the mapper is called without a window and its float picture compared; the others are
-//              read back from their windows with 8 bits a channel, which alone limits them to 59
-//              dB;
+//              read back from their windows with 8 bits a channel, so that a picture without any
+//              black comes to 59 dB at most;
 //   changes    what has to be done anew when colours, the height of opacities, the values that show
 //              anything, or the camera change.
 //
