@@ -9,10 +9,10 @@
  * scalars are taken. Point arrays are converted with vtkPointDataToCellData.
  *
  * Blocks may be null: a coarse cell counts as covered only where a finer block is really there.
- * Arrays may be larger than the AMR box (ghost layers). Cells marked HIDDENCELL in vtkGhostType, NaN
- * and infinite values are absent: transparent, without influence on their neighbours. Cells marked
- * DUPLICATECELL give way to the real cell where there is one; REFINEDCELL is found anew. Where
- * finer blocks cover a coarse cell in part, the rest of it keeps its value.
+ * Arrays may be larger than the AMR box (ghost layers). Cells marked HIDDENCELL in vtkGhostType,
+ * NaN and infinite values are absent: transparent, without influence on their neighbours. Cells
+ * marked DUPLICATECELL give way to the real cell where there is one; REFINEDCELL is found anew.
+ * Where finer blocks cover a coarse cell in part, the rest of it keeps its value.
  *
  * Bricks and regions are built anew only when the boxes change: another array or time step on the
  * same boxes keeps them. Values are normalised in double precision to the range of the leaf cells.
@@ -56,8 +56,8 @@ public:
   vtkGetMacro(VectorComponent, int);
   ///@}
 
-  /// How often bricks and regions were built: it does not grow with arrays or time steps on the same
-  /// boxes.
+  /// How often bricks and regions were built: it does not grow with arrays or time steps on the
+  /// same boxes.
   vtkGetMacro(NumberOfStructureBuilds, int);
 
   vtkExaBricksData* GetOutput();

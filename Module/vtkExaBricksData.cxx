@@ -64,8 +64,8 @@ private:
 };
 
 // From normalised to the array's own values.
-void setRange(
-  vtkDoubleArray* array, vtkIdType i, const exabricks::ValueRange& range, const exabricks::Range& all)
+void setRange(vtkDoubleArray* array, vtkIdType i, const exabricks::ValueRange& range,
+  const exabricks::Range& all)
 {
   const bool empty = !(range.min <= range.max);
   const double extent = all.max - all.min;
@@ -113,11 +113,10 @@ unsigned long vtkExaBricksData::GetActualMemorySize()
   if (this->Shared)
   {
     const Contents& contents = *this->Shared;
-    size += static_cast<unsigned long>((contents.Structure->bytes() +
-                                         contents.Scalars.values.capacity() * sizeof(float) +
-                                         contents.Scalars.brickHasAbsentCells.capacity() +
-                                         contents.Ranges.capacity() *
-                                           sizeof(exabricks::ValueRange)) /
+    size += static_cast<unsigned long>(
+      (contents.Structure->bytes() + contents.Scalars.values.capacity() * sizeof(float) +
+        contents.Scalars.brickHasAbsentCells.capacity() +
+        contents.Ranges.capacity() * sizeof(exabricks::ValueRange)) /
       1024);
   }
   return size;
@@ -194,10 +193,7 @@ double vtkExaBricksData::GetStructureTime()
   return this->Shared ? this->Shared->StructureTime : 0.0;
 }
 
-double vtkExaBricksData::GetScalarsTime()
-{
-  return this->Shared ? this->Shared->ScalarsTime : 0.0;
-}
+double vtkExaBricksData::GetScalarsTime() { return this->Shared ? this->Shared->ScalarsTime : 0.0; }
 
 void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
 {
@@ -281,8 +277,7 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
   for (vtkIdType i = 0; i < n; ++i)
   {
     const exabricks::layout::Region& region = structure.tree.regions[i];
-    writer.Add(
-      contents.World(glm::dvec3(region.lo)), contents.World(glm::dvec3(region.hi)));
+    writer.Add(contents.World(glm::dvec3(region.lo)), contents.World(glm::dvec3(region.hi)));
     int finest = -1;
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {

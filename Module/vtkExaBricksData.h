@@ -4,9 +4,9 @@
  * @brief   bricks, active brick regions and normalised values of an overlapping AMR
  *
  * vtkExaBricksBuilder makes it and vtkExaBricksVolumeMapper draws it. *Bricks* are boxes of leaf
- * cells (cells that no finer block covers) of one level; *regions* are disjoint boxes that partition
- * the data's bounds, each with the fixed list of bricks whose support reaches into it. Both can be
- * looked at as VTK cells.
+ * cells (cells that no finer block covers) of one level; *regions* are disjoint boxes that
+ * partition the data's bounds, each with the fixed list of bricks whose support reaches into it.
+ * Both can be looked at as VTK cells.
  *
  * @par Thanks:
  * Wald, Zellmann, Usher, Morrical, Lang, Pascucci, "Ray Tracing Structured AMR Data Using
@@ -80,16 +80,16 @@ public:
   void GetHistogram(int bins, vtkIdTypeArray* counts);
 
   /**
-   * The bricks as voxels, with cell arrays "Level" (of the AMR), "Cells" (along x, y, z) and "Range"
-   * (least and greatest value; 1, 0 if all cells are absent).
+   * The bricks as voxels, with cell arrays "Level" (of the AMR), "Cells" (along x, y, z) and
+   * "Range" (least and greatest value; 1, 0 if all cells are absent).
    */
   void GetBricksAsCells(vtkUnstructuredGrid* output);
 
   /**
    * The regions as voxels, with cell arrays "Level" (finest of its bricks; -1 if it holds no data),
    * "BrickCount", "Range" (least and greatest value that the reconstruction can take; 1, 0 if it
-   * holds no data) and "Active" (1 if `opacity` shows anything in it; without `opacity`, if it holds
-   * data).
+   * holds no data) and "Active" (1 if `opacity` shows anything in it; without `opacity`, if it
+   * holds data).
    */
   void GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewiseFunction* opacity = nullptr);
 

@@ -61,8 +61,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   bool CheckSupport(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property);
   // Points the builder to the mapper's input and array; returns why it cannot.
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
-  // Hands the renderer what has changed; returns what went wrong.
-  std::string UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
+  // Hands the renderer what has changed.
+  void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
 };
 
 bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
@@ -176,34 +176,27 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
   return {};
 }
 
-std::string vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
 {
   const auto& contents = this->Builder->GetOutput()->GetContents();
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
-  std::string fault = this->Renderer.selectDevice(self->Device ? self->Device : "");
+  this->Renderer.selectDevice(self->Device ? self->Device : "");
   const bool newData = contents != this->Contents;
-  if (fault.empty() &&
-    (newData || property != this->Property || property->GetMTime() > this->PropertyTime))
+  if (newData)
+  {
+    this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
+      &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
+    this->Contents = contents;
+  }
+  if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
   {
     // Nodes are normalised to the range of the data, so new data want new tables too.
     this->Property = property;
     this->PropertyTime = property->GetMTime();
-    // The function first: its active regions are those of the data that follow.
-    fault = this->Renderer.setTransferFunction(
+    this->Renderer.setTransferFunction(
       exabricks::makeTransferFunction(property, contents->Scalars.range));
-    if (newData)
-    {
-      // The old data are let go only once nothing points to them.
-      const auto previous = this->Contents;
-      this->Contents = contents;
-      const std::string other =
-        this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
-          &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
-      fault = fault.empty() ? other : fault;
-    }
   }
-  return fault;
 }
 
 vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
@@ -347,7 +340,8 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
-  std::string fault = internals.UpdateRenderer(this, property);
+  internals.UpdateRenderer(this, property);
+  std::string fault;
 
   const auto viewport = exabricks::OpenGLPicture::findViewport(ren);
   if (fault.empty() && viewport.width > 0 && viewport.height > 0)

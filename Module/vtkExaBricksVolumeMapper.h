@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * How values between cells are found: by the tent basis (default), which is continuous also across
-   * levels, or as the value of the leaf cell that holds the point.
+   * How values between cells are found: by the tent basis (default), which is continuous also
+   * across levels, or as the value of the leaf cell that holds the point.
    */
   enum ReconstructionType
   {
@@ -80,8 +80,8 @@ public:
   ///@{
   /**
    * How rays find their regions: by ray queries on an acceleration structure (VK_KHR_ray_query), or
-   * by a k-d tree, which every device can walk. Automatic (default): by ray queries on a GPU that has
-   * them. The pictures are the same.
+   * by a k-d tree, which every device can walk. Automatic (default): by ray queries on a GPU that
+   * has them. The pictures are the same.
    */
   enum TraversalType
   {

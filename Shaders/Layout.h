@@ -46,7 +46,7 @@ EXABRICKS_CONST float ABSENT = -1.0f;
 // A box with a fixed list of bricks: no other brick's support reaches into it. 32 bytes.
 struct Region
 {
-  ivec3 lo; // half cells
+  ivec3 lo;        // half cells
   uint firstBrick; // position of its list in the brick lists
   ivec3 hi;
   uint brickCount; // 0: no data here
@@ -85,11 +85,11 @@ struct Frame
   ivec3 size; // of the bounds, half cells
   uint width; // pixels
   uint height;
-  float stepScale;       // step in finest cells of the region
-  float inverseUnit;     // 1 / scalar opacity unit distance, 1 / world length
+  float stepScale;          // step in finest cells of the region
+  float inverseUnit;        // 1 / scalar opacity unit distance, 1 / world length
   float terminationOpacity; // a ray ends at this opacity
   uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
-  uint64_t bricks;       // device addresses of Brick[], Region[], uint[], KdNode[], ...
+  uint64_t bricks;          // device addresses of Brick[], Region[], uint[], KdNode[], ...
   uint64_t regions;
   uint64_t brickLists;
   uint64_t nodes;

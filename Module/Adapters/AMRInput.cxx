@@ -57,7 +57,8 @@ public:
   {
     for (unsigned int level = 0; level < this->AMR->GetNumberOfLevels() && this->Well(); ++level)
     {
-      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Well(); ++index)
+      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Well();
+           ++index)
       {
         if (vtkDataSet* block = getBlock(this->AMR, level, index))
         {
@@ -130,8 +131,8 @@ private:
     Int3 offset;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double cells =
-        (origin[axis] - bounds[2 * axis]) / spacing[axis] + static_cast<double>(block.cells.lo[axis]);
+      const double cells = (origin[axis] - bounds[2 * axis]) / spacing[axis] +
+        static_cast<double>(block.cells.lo[axis]);
       const double off = std::round(cells);
       offset[axis] = static_cast<std::int64_t>(off);
       if (!(std::abs(cells - off) < 0.1) || offset[axis] < 0 ||
@@ -233,10 +234,7 @@ struct BoxReader
 };
 }
 
-AMRInput readAMR(vtkOverlappingAMR* amr)
-{
-  return Reader(amr).read();
-}
+AMRInput readAMR(vtkOverlappingAMR* amr) { return Reader(amr).read(); }
 
 AMRCellSource::AMRCellSource(const AMRInput& input, int component)
   : Component(component)
@@ -255,11 +253,13 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     {
       source.Ghosts = ghosts->GetPointer(0);
       const Box& cells = input.hierarchy.blocks[b].cells;
-      this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t count) {
-        source.Duplicates = source.Duplicates ||
-          std::any_of(source.Ghosts + first, source.Ghosts + first + count,
-            [](unsigned char ghost) { return ghost & vtkDataSetAttributes::DUPLICATECELL; });
-      });
+      this->ForEachRow(source, cells,
+        [&](vtkIdType first, std::int64_t count)
+        {
+          source.Duplicates = source.Duplicates ||
+            std::any_of(source.Ghosts + first, source.Ghosts + first + count,
+              [](unsigned char ghost) { return ghost & vtkDataSetAttributes::DUPLICATECELL; });
+        });
     }
   }
 }
@@ -267,6 +267,12 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
 void AMRCellSource::setArray(int block, vtkDataArray* array)
 {
   this->Sources[block].Array = array;
+  if (array->GetDataType() == VTK_BIT)
+  {
+    // Bits are read through a buffer of the array's own, which threads cannot share.
+    this->Sources[block].Array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->Sources[block].Array->DeepCopy(array);
+  }
 }
 
 template <typename Visitor>
@@ -312,19 +318,18 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   }
 }
 
-bool AMRCellSource::hasDuplicates(int block) const
-{
-  return this->Sources[block].Duplicates;
-}
+bool AMRCellSource::hasDuplicates(int block) const { return this->Sources[block].Duplicates; }
 
 void AMRCellSource::readDuplicates(int block, const Box& cells, unsigned char* duplicate) const
 {
   const Source& source = this->Sources[block];
-  this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t count) {
-    for (std::int64_t i = 0; i < count; ++i)
+  this->ForEachRow(source, cells,
+    [&](vtkIdType first, std::int64_t count)
     {
-      *duplicate++ = (source.Ghosts[first + i] & vtkDataSetAttributes::DUPLICATECELL) != 0;
-    }
-  });
+      for (std::int64_t i = 0; i < count; ++i)
+      {
+        *duplicate++ = (source.Ghosts[first + i] & vtkDataSetAttributes::DUPLICATECELL) != 0;
+      }
+    });
 }
 }

@@ -17,16 +17,17 @@ namespace exabricks
 {
 struct AMRInput
 {
-  Hierarchy hierarchy;          // levels without blocks are left out
-  std::vector<int> amrLevel;    // [level of hierarchy], the AMR's own number of it
+  Hierarchy hierarchy;       // levels without blocks are left out
+  std::vector<int> amrLevel; // [level of hierarchy], the AMR's own number of it
   std::vector<vtkSmartPointer<vtkImageData>> grids; // [block]
-  std::vector<Int3> offsets;    // [block], of its AMR box in the grid's cells (ghost layers)
-  std::string fault;            // empty, or why it cannot be drawn
+  std::vector<Int3> offsets; // [block], of its AMR box in the grid's cells (ghost layers)
+  std::string fault;         // empty, or why it cannot be drawn
 };
 
 AMRInput readAMR(vtkOverlappingAMR* amr);
 
-/// Reads cells of the blocks' arrays, of any type; hidden cells as absent. `component` -1: magnitude.
+/// Reads cells of the blocks' arrays, of any type; hidden cells as absent. `component` -1:
+/// magnitude.
 class AMRCellSource : public CellSource
 {
 public:

@@ -10,9 +10,9 @@
 struct vtkExaBricksData::Contents
 {
   std::shared_ptr<const exabricks::Structure> Structure;
-  glm::dvec3 Origin{ 0.0 };   // world position of logical (0, 0, 0)
-  glm::dvec3 Spacing{ 1.0 };  // world size of a finest cell
-  std::vector<int> AMRLevel;  // of each level of the hierarchy, which leaves out empty ones
+  glm::dvec3 Origin{ 0.0 };  // world position of logical (0, 0, 0)
+  glm::dvec3 Spacing{ 1.0 }; // world size of a finest cell
+  std::vector<int> AMRLevel; // of each level of the hierarchy, which leaves out empty ones
   exabricks::Scalars Scalars;
   std::vector<exabricks::ValueRange> Ranges; // of the regions
   std::string ArrayName;

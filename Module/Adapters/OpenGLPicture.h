@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between the picture of the Vulkan pass and the framebuffer that VTK renders into: opaque depth in,
-// premultiplied picture out.
+// Between the picture of the Vulkan pass and the framebuffer that VTK renders into: opaque depth
+// in, premultiplied picture out.
 #ifndef ExaBricksAdaptersOpenGLPicture_h
 #define ExaBricksAdaptersOpenGLPicture_h
 

@@ -32,9 +32,8 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents
 {
   View view;
   // With (-1, 1): explicit projections, as of tiled displays, ignore near and far arguments.
-  const glm::dmat4 worldToNdc =
-    toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      ren->GetTiledAspectRatio(), -1.0, 1.0));
+  const glm::dmat4 worldToNdc = toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    ren->GetTiledAspectRatio(), -1.0, 1.0));
   view.ndcToWorld = glm::inverse(worldToNdc);
   // World -> volume -> half cells from the lower corner of the bounds.
   glm::dmat4 volumeToHalfCells = glm::scale(glm::dmat4(1.0), 2.0 / contents.Spacing);

@@ -73,9 +73,8 @@ ActiveRegions selectActiveRegions(
 
 void sortByMedianSplits(const RegionTree& tree, std::vector<std::uint32_t>& regions)
 {
-  const auto center = [&](std::uint32_t r, int axis) {
-    return std::int64_t(tree.regions[r].lo[axis]) + tree.regions[r].hi[axis];
-  };
+  const auto center = [&](std::uint32_t r, int axis)
+  { return std::int64_t(tree.regions[r].lo[axis]) + tree.regions[r].hi[axis]; };
   std::vector<std::pair<std::size_t, std::size_t>> ranges{ { 0, regions.size() } };
   while (!ranges.empty())
   {
@@ -99,9 +98,8 @@ void sortByMedianSplits(const RegionTree& tree, std::vector<std::uint32_t>& regi
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t middle = range.first + (range.second - range.first) / 2;
     std::nth_element(regions.begin() + range.first, regions.begin() + middle,
-      regions.begin() + range.second, [&](std::uint32_t a, std::uint32_t b) {
-        return center(a, axis) < center(b, axis);
-      });
+      regions.begin() + range.second,
+      [&](std::uint32_t a, std::uint32_t b) { return center(a, axis) < center(b, axis); });
     ranges.emplace_back(range.first, middle);
     ranges.emplace_back(middle, range.second);
   }

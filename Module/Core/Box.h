@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/ext/vector_int3_sized.hpp>
 #include <glm/common.hpp>
+#include <glm/ext/vector_int3_sized.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -31,7 +31,8 @@ struct Box
   LatticeVolume volume() const
   {
     const Int3 s = this->size();
-    return this->empty() ? LatticeVolume(0) : LatticeVolume(s.x) * LatticeVolume(s.y) * LatticeVolume(s.z);
+    return this->empty() ? LatticeVolume(0)
+                         : LatticeVolume(s.x) * LatticeVolume(s.y) * LatticeVolume(s.z);
   }
   bool contains(const Box& other) const
   {

@@ -34,7 +34,9 @@ void BoxIndex::Build(int begin, int end)
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const int middle = begin + (end - begin) / 2;
   std::nth_element(this->Order.begin() + begin, this->Order.begin() + middle,
-    this->Order.begin() + end, [&](int a, int b) {
+    this->Order.begin() + end,
+    [&](int a, int b)
+    {
       const Box& first = this->Boxes[a];
       const Box& second = this->Boxes[b];
       return first.lo[axis] + first.hi[axis] < second.lo[axis] + second.hi[axis];

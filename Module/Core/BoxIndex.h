@@ -33,8 +33,8 @@ private:
   struct Node
   {
     Box bounds;
-    int begin, end;   // of its boxes in Order
-    int upper;        // index of the upper child, the lower one follows its parent; 0: a leaf
+    int begin, end; // of its boxes in Order
+    int upper;      // index of the upper child, the lower one follows its parent; 0: a leaf
   };
 
   template <typename Visitor>

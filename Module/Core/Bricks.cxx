@@ -88,7 +88,8 @@ private:
   {
     const std::int64_t width = this->CellWidth[level];
     const Int3 cells = box.size() / width;
-    const Int3 count = (cells + std::int64_t(this->MaximumCells - 1)) / std::int64_t(this->MaximumCells);
+    const Int3 count =
+      (cells + std::int64_t(this->MaximumCells - 1)) / std::int64_t(this->MaximumCells);
     Int3 i;
     for (i.z = 0; i.z < count.z; ++i.z)
     {
@@ -156,8 +157,7 @@ private:
     {
       const Box part = intersection(this->Leaves.boxes[leaf].box, box);
       const Int3 extent = part.size();
-      const double area =
-        static_cast<double>(extent[u]) * static_cast<double>(extent[v]) / section;
+      const double area = static_cast<double>(extent[u]) * static_cast<double>(extent[v]) / section;
       const int level = this->Leaves.boxes[leaf].level;
       this->Faces.push_back({ part.lo[axis], level, true, area });
       this->Faces.push_back({ part.hi[axis], level, false, area });

@@ -26,14 +26,15 @@ struct Brick
   }
 };
 
-/// Most cells of a brick along an axis. Of 8, 16 and 32, 32 drew fastest by either traversal, and took
-/// least memory (Testing/Benchmarks); the device has 8 bits for it.
+/// Most cells of a brick along an axis. Of 8, 16 and 32, 32 drew fastest by either traversal, and
+/// took least memory (Testing/Benchmarks); the device has 8 bits for it.
 constexpr int DefaultBrickCells = 32;
 constexpr int MaximumBrickCells = 255;
 
-/// Partitions the leaf cells into bricks by a top-down k-d tree over the leaf boxes: a node with more
-/// than one level, or holes, is split along its longest axis at a plane where something changes.
-/// `maximumCells` is taken into [1, MaximumBrickCells]. Returns no bricks if `progress` aborts.
+/// Partitions the leaf cells into bricks by a top-down k-d tree over the leaf boxes: a node with
+/// more than one level, or holes, is split along its longest axis at a plane where something
+/// changes. `maximumCells` is taken into [1, MaximumBrickCells]. Returns no bricks if `progress`
+/// aborts.
 std::vector<Brick> buildBricks(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth,
   int maximumCells = DefaultBrickCells, const Progress& progress = {});
 }

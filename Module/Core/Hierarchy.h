@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The AMR hierarchy as the core sees it: levels of cells on one integer lattice, and the blocks that
-// are really there.
+// The AMR hierarchy as the core sees it: levels of cells on one integer lattice, and the blocks
+// that are really there.
 //
 // *Logical* coordinates count cells of the finest level; a cell of level l is cellWidth[l] of them
 // wide. World coordinates are origin + spacing * logical, per axis, so anisotropic spacing never

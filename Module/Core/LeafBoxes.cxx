@@ -67,11 +67,13 @@ public:
       cutters.clear();
       cells.clear();
       bool aligned = true;
-      finer.forEachIntersecting(box, [&](int i) {
-        cutters.push_back(intersection(box, finer.box(i)));
-        cells.push_back(scaled(outwardToCells(cutters.back(), this->Width), this->Width));
-        aligned = aligned && cells.back() == cutters.back();
-      });
+      finer.forEachIntersecting(box,
+        [&](int i)
+        {
+          cutters.push_back(intersection(box, finer.box(i)));
+          cells.push_back(scaled(outwardToCells(cutters.back(), this->Width), this->Width));
+          aligned = aligned && cells.back() == cutters.back();
+        });
       const std::size_t before = whole.size();
       subtract(box, cells, whole);
       if (!aligned)
@@ -157,7 +159,8 @@ LeafBoxes findLeafBoxes(const Hierarchy& hierarchy)
   }
 
   LeafBoxes leaves;
-  auto keep = [&](int level, const Box& box) {
+  auto keep = [&](int level, const Box& box)
+  {
     const Int3 n = box.size() / hierarchy.cellWidth[level];
     leaves.boxes.push_back({ level, box });
     leaves.bounds = unite(leaves.bounds, box);
@@ -171,12 +174,14 @@ LeafBoxes findLeafBoxes(const Hierarchy& hierarchy)
     const Box box = hierarchy.logicalBox(block);
     VisiblePart part(box, hierarchy.cellWidth[block.level]);
     earlier.clear();
-    index[block.level].forEachIntersecting(box, [&](int i) {
-      if (rank[block.level][i] < static_cast<int>(b))
+    index[block.level].forEachIntersecting(box,
+      [&](int i)
       {
-        earlier.push_back(index[block.level].box(i));
-      }
-    });
+        if (rank[block.level][i] < static_cast<int>(b))
+        {
+          earlier.push_back(index[block.level].box(i));
+        }
+      });
     if (!earlier.empty())
     {
       part.giveWayTo(earlier);

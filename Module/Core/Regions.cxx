@@ -51,8 +51,8 @@ public:
       const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
       this->Bricks.push_back({ glm::ivec3(lo), glm::ivec3(hi) });
       const Int3 size(this->Tree.size);
-      this->Supports.push_back({ glm::ivec3(glm::max(lo - width, Int3(0))),
-        glm::ivec3(glm::min(hi + width, size)) });
+      this->Supports.push_back(
+        { glm::ivec3(glm::max(lo - width, Int3(0))), glm::ivec3(glm::min(hi + width, size)) });
     }
   }
 
@@ -90,8 +90,9 @@ private:
     {
       volume += commonVolume(box, this->Bricks[this->Lists[i]]);
     }
-    return volume == 0 ? Cover::None
-                       : volume == commonVolume(box, box) ? Cover::Full : Cover::Partial;
+    return volume == 0                   ? Cover::None
+      : volume == commonVolume(box, box) ? Cover::Full
+                                         : Cover::Partial;
   }
 
   // The node's list is the end of Lists, from `begin` on; `share` is its part of the whole work.
@@ -181,9 +182,9 @@ private:
       {
         const HalfBox& support = this->Supports[this->Lists[i]];
         const HalfBox& brick = this->Bricks[this->Lists[i]];
-        for (const int position : { cutSupports ? support.lo[axis] : 0,
-               cutSupports ? support.hi[axis] : 0, cutBricks ? brick.lo[axis] : 0,
-               cutBricks ? brick.hi[axis] : 0 })
+        for (const int position :
+          { cutSupports ? support.lo[axis] : 0, cutSupports ? support.hi[axis] : 0,
+            cutBricks ? brick.lo[axis] : 0, cutBricks ? brick.hi[axis] : 0 })
         {
           if (position > box.lo[axis] && position < box.hi[axis])
           {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Active brick regions: disjoint boxes that partition the data's bounds, each with the fixed list of
-// bricks whose support reaches into it, and the k-d tree over them (Wald et al. 2020, section 4.2).
+// Active brick regions: disjoint boxes that partition the data's bounds, each with the fixed list
+// of bricks whose support reaches into it, and the k-d tree over them (Wald et al. 2020,
+// section 4.2).
 #ifndef ExaBricksCoreRegions_h
 #define ExaBricksCoreRegions_h
 

@@ -11,10 +11,7 @@ namespace exabricks
 {
 CellSource::~CellSource() = default;
 
-bool CellSource::hasDuplicates(int) const
-{
-  return false;
-}
+bool CellSource::hasDuplicates(int) const { return false; }
 
 void CellSource::readDuplicates(int, const Box& cells, unsigned char* duplicate) const
 {
@@ -52,8 +49,8 @@ public:
     std::vector<double> values;
     std::vector<double> part;
     std::vector<unsigned char> duplicate;
-    /// Of the brick's cells: 0 for none yet, else it grows with the level that the value is from, and
-    /// is odd for a duplicate.
+    /// Of the brick's cells: 0 for none yet, else it grows with the level that the value is from,
+    /// and is odd for a duplicate.
     std::vector<unsigned char> rank;
   };
 
@@ -74,14 +71,13 @@ public:
 
 private:
   // Returns how many of the brick's cells had no value before.
-  std::size_t ReadPart(
-    const Brick& brick, const Box& box, int level, int i, Scratch& scratch) const
+  std::size_t ReadPart(const Brick& brick, const Box& box, int level, int i, Scratch& scratch) const
   {
     const int block = this->BlockOf[level][i];
     const std::int64_t fine = this->Grid.cellWidth[brick.level];
     const std::int64_t coarse = this->Grid.cellWidth[level];
     const Box common = intersection(box, this->Index[level].box(i));
-    const Box target = outwardToCells(common, fine); // cells of the brick
+    const Box target = outwardToCells(common, fine);  // cells of the brick
     const Box cells = outwardToCells(common, coarse); // cells of the block
     const Int3 size = cells.size();
     const std::size_t n = static_cast<std::size_t>(cells.volume());
@@ -134,14 +130,14 @@ private:
 
   const Hierarchy& Grid;
   const CellSource& Source;
-  std::vector<BoxIndex> Index;            // [level], logical boxes of its blocks
+  std::vector<BoxIndex> Index;           // [level], logical boxes of its blocks
   std::vector<std::vector<int>> BlockOf; // [level][box], index into Hierarchy::blocks
 };
 
-// Runs `work(brick, scratch)` for all bricks on all threads; `done` is the part of the whole before.
+// Runs `work(brick, scratch)` for all bricks on all threads; `done` is the part of the whole
+// before.
 template <typename Work>
-bool forEachBrick(
-  std::size_t count, double before, const Progress& progress, const Work& work)
+bool forEachBrick(std::size_t count, double before, const Progress& progress, const Work& work)
 {
   if (progress && !progress(before))
   {
@@ -179,7 +175,8 @@ Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bric
   const BrickReader reader(hierarchy, source);
   std::vector<Range> ranges(bricks.size());
   const bool ranged = forEachBrick(bricks.size(), 0.0, progress,
-    [&](std::size_t b, BrickReader::Scratch& scratch) {
+    [&](std::size_t b, BrickReader::Scratch& scratch)
+    {
       reader.read(bricks[b], scratch);
       for (const double value : scratch.values)
       {
@@ -204,7 +201,8 @@ Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bric
   scalars.brickHasAbsentCells.assign(bricks.size(), 0);
   std::atomic<std::uint64_t> absentCells{ 0 };
   const bool gathered = forEachBrick(bricks.size(), 0.5, progress,
-    [&](std::size_t b, BrickReader::Scratch& scratch) {
+    [&](std::size_t b, BrickReader::Scratch& scratch)
+    {
       reader.read(bricks[b], scratch);
       float* to = scalars.values.data() + bricks[b].firstValue;
       std::uint64_t absent = 0;
@@ -245,10 +243,10 @@ std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vecto
       {
         const std::int64_t lo = region.lo[axis] - origin[axis];
         const std::int64_t hi = region.hi[axis] - origin[axis];
-        first[axis] = static_cast<int>(
-          std::max<std::int64_t>(floorDivide(lo - 3 * width, 2 * width) + 1, 0));
-        last[axis] = static_cast<int>(std::min<std::int64_t>(
-          -floorDivide(-(hi + width), 2 * width), brick.cells[axis]));
+        first[axis] =
+          static_cast<int>(std::max<std::int64_t>(floorDivide(lo - 3 * width, 2 * width) + 1, 0));
+        last[axis] = static_cast<int>(
+          std::min<std::int64_t>(-floorDivide(-(hi + width), 2 * width), brick.cells[axis]));
       }
       const float* values = scalars.values.data() + brick.firstValue;
       for (int z = first.z; z < last.z; ++z)

@@ -50,8 +50,8 @@ struct Range
 
 struct Scalars
 {
-  Range range;                           // of the leaf cells that are there, as the source gave it
-  std::vector<float> values;             // [Brick::firstValue ...], in [0, 1], or layout::ABSENT
+  Range range;               // of the leaf cells that are there, as the source gave it
+  std::vector<float> values; // [Brick::firstValue ...], in [0, 1], or layout::ABSENT
   std::vector<unsigned char> brickHasAbsentCells;
   std::uint64_t absentCells = 0;
 };

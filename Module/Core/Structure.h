@@ -34,16 +34,17 @@ inline Structure buildStructure(Hierarchy hierarchy, const Progress& progress = 
   const LeafBoxes leaves = findLeafBoxes(structure.hierarchy);
   structure.leafCells = leaves.cells;
   structure.partlyCoveredBoxes = leaves.partlyCoveredBoxes;
-  const auto part = [&](double from, double to) -> Progress {
-    return !progress
-      ? Progress()
-      : [&progress, from, to](double done) { return progress(from + (to - from) * done); };
+  const auto part = [&](double from, double to) -> Progress
+  {
+    return !progress ? Progress() : [&progress, from, to](double done) {
+      return progress(from + (to - from) * done);
+    };
   };
   structure.bricks = buildBricks(leaves, width, DefaultBrickCells, part(0.0, 0.3));
   if (!structure.bricks.empty())
   {
-    structure.tree = buildRegions(
-      structure.bricks, leaves.bounds, width, DefaultBricksPerRegion, part(0.3, 1.0));
+    structure.tree =
+      buildRegions(structure.bricks, leaves.bounds, width, DefaultBricksPerRegion, part(0.3, 1.0));
   }
   return structure;
 }

@@ -41,10 +41,6 @@ TransferFunction::TransferFunction(std::vector<Point> points)
 
 glm::dvec4 TransferFunction::evaluate(double value) const
 {
-  if (this->Points.empty())
-  {
-    return glm::dvec4(0.0);
-  }
   const auto upper = std::upper_bound(this->Points.begin(), this->Points.end(), value,
     [](double v, const Point& point) { return v < point.value; });
   if (upper == this->Points.begin())
@@ -103,9 +99,9 @@ std::vector<layout::TransferBin> TransferFunction::makeBins() const
     // Compared as floats, as the device does.
     const float lo = static_cast<float>(i) / layout::TRANSFER_BINS;
     const float hi = static_cast<float>(i + 1) / layout::TRANSFER_BINS;
-    const auto inside = std::find_if(this->Points.begin(), this->Points.end(), [&](const Point& p) {
-      return static_cast<float>(p.value) >= lo && static_cast<float>(p.value) <= hi;
-    });
+    const auto inside = std::find_if(this->Points.begin(), this->Points.end(),
+      [&](const Point& p)
+      { return static_cast<float>(p.value) >= lo && static_cast<float>(p.value) <= hi; });
     bins[i].lower = glm::vec4(this->evaluate(lo));
     bins[i].upper = glm::vec4(this->evaluate(hi));
     if (inside != this->Points.end())

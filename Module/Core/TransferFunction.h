@@ -19,7 +19,11 @@ public:
     glm::dvec4 color; // red, green, blue, opacity of the unit distance, all in [0, 1]
   };
 
-  TransferFunction() = default;
+  /// Shows nothing.
+  TransferFunction()
+    : TransferFunction(std::vector<Point>())
+  {
+  }
   /// `points` in ascending order; two of equal value are a jump. Values before the first and after
   /// the last take theirs.
   explicit TransferFunction(std::vector<Point> points);

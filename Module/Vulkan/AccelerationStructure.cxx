@@ -44,14 +44,13 @@ AccelerationStructure::Part AccelerationStructure::Build(const std::shared_ptr<D
     vk::AccelerationStructureCreateInfoKHR(
       {}, *part.Storage.handle(), 0, sizes.accelerationStructureSize, type));
   const vk::DeviceSize alignment = device->scratchAlignment();
-  const Buffer scratch(
-    device, sizes.buildScratchSize + alignment, Residence::Device, "building the acceleration structure");
+  const Buffer scratch(device, sizes.buildScratchSize + alignment, Residence::Device,
+    "building the acceleration structure");
   build.dstAccelerationStructure = *part.Handle;
   build.scratchData.deviceAddress = (scratch.address() + alignment - 1) / alignment * alignment;
   const vk::AccelerationStructureBuildRangeInfoKHR range(count, 0, 0, 0);
-  device->submit([&](const vk::raii::CommandBuffer& commands) {
-    commands.buildAccelerationStructuresKHR(build, &range);
-  });
+  device->submit([&](const vk::raii::CommandBuffer& commands)
+    { commands.buildAccelerationStructuresKHR(build, &range); });
   return part;
 }
 
@@ -68,8 +67,7 @@ AccelerationStructure::AccelerationStructure(const std::shared_ptr<Device>& devi
   const Buffer boxes =
     makeBuffer(device, makeBoxes(tree, regions), "the active regions' boxes", input);
   vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eAabbs,
-    vk::AccelerationStructureGeometryAabbsDataKHR(
-      boxes.address(), sizeof(vk::AabbPositionsKHR)));
+    vk::AccelerationStructureGeometryAabbsDataKHR(boxes.address(), sizeof(vk::AabbPositionsKHR)));
   this->Boxes = Build(device, vk::AccelerationStructureTypeKHR::eBottomLevel, geometry,
     static_cast<std::uint32_t>(regions.size()));
 

@@ -28,9 +28,8 @@ private:
     Buffer Storage;
     vk::raii::AccelerationStructureKHR Handle = nullptr;
   };
-  static Part Build(const std::shared_ptr<Device>& device,
-    vk::AccelerationStructureTypeKHR type, const vk::AccelerationStructureGeometryKHR& geometry,
-    std::uint32_t count);
+  static Part Build(const std::shared_ptr<Device>& device, vk::AccelerationStructureTypeKHR type,
+    const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count);
 
   Part Boxes;
   Part Scene;

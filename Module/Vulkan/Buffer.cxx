@@ -47,10 +47,10 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
         vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst |
         vk::BufferUsageFlagBits::eTransferSrc));
   const vk::MemoryRequirements needs = this->Handle.getMemoryRequirements();
-  const std::uint32_t type =
-    this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred);
+  const std::uint32_t type = this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred);
   const vk::DeviceSize available = this->Owner->availableMemory(type);
-  const auto refuse = [&]() -> Failure {
+  const auto refuse = [&]() -> Failure
+  {
     return Failure("out of device memory: " + what + " needs " + megabytes(needs.size) + ", " +
       this->Owner->name() + " has " + megabytes(available) +
       " available. Use fewer levels, or a device with more memory");
@@ -76,7 +76,8 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
   this->Handle.bindMemory(*this->Memory, 0);
   this->Address = this->Owner->handle().getBufferAddress({ *this->Handle });
   const vk::MemoryPropertyFlags flags = this->Owner->memoryFlags(type);
-  if ((flags & hostWrites) == hostWrites && (residence != Residence::Device || this->Owner->isCpu()))
+  if ((flags & hostWrites) == hostWrites &&
+    (residence != Residence::Device || this->Owner->isCpu()))
   {
     this->Mapped = this->Memory.mapMemory(0, VK_WHOLE_SIZE);
   }
@@ -99,9 +100,11 @@ void Buffer::upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offse
   {
     const vk::DeviceSize part = std::min(chunk, bytes - done);
     std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, part);
-    this->Owner->submit([&](const vk::raii::CommandBuffer& commands) {
-      commands.copyBuffer(*staging.handle(), *this->Handle, vk::BufferCopy(0, offset + done, part));
-    });
+    this->Owner->submit(
+      [&](const vk::raii::CommandBuffer& commands) {
+        commands.copyBuffer(
+          *staging.handle(), *this->Handle, vk::BufferCopy(0, offset + done, part));
+      });
   }
 }
 }

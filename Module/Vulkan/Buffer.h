@@ -11,8 +11,8 @@ namespace vulkan
 {
 enum class Residence
 {
-  Device, // on the device; filled by upload()
-  Upload, // written by the host for each picture, read by the device
+  Device,  // on the device; filled by upload()
+  Upload,  // written by the host for each picture, read by the device
   Readback // written by the device, read by the host
 };
 
@@ -48,7 +48,8 @@ template <typename T>
 Buffer makeBuffer(const std::shared_ptr<Device>& device, const std::vector<T>& items,
   const std::string& what, vk::BufferUsageFlags usage = {})
 {
-  Buffer buffer(device, std::max<std::size_t>(items.size(), 1) * sizeof(T), Residence::Device, what, usage);
+  Buffer buffer(
+    device, std::max<std::size_t>(items.size(), 1) * sizeof(T), Residence::Device, what, usage);
   buffer.upload(items.data(), items.size() * sizeof(T));
   return buffer;
 }

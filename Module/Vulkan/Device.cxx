@@ -73,10 +73,10 @@ std::string lacks(const vk::raii::PhysicalDevice& device)
   const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
   const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
   std::uint32_t family = 0;
-  return !v12.bufferDeviceAddress ? "bufferDeviceAddress"
-    : !v12.scalarBlockLayout      ? "scalarBlockLayout"
-    : !core.shaderInt64           ? "shaderInt64"
-    : !core.shaderFloat64         ? "shaderFloat64"
+  return !v12.bufferDeviceAddress      ? "bufferDeviceAddress"
+    : !v12.scalarBlockLayout           ? "scalarBlockLayout"
+    : !core.shaderInt64                ? "shaderInt64"
+    : !core.shaderFloat64              ? "shaderFloat64"
     : !hasComputeQueue(device, family) ? "a queue for compute"
                                        : "";
 }
@@ -124,8 +124,7 @@ std::string fullName(const vk::raii::PhysicalDevice& device)
 {
   const auto properties =
     device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
-  const std::string driver =
-    properties.get<vk::PhysicalDeviceDriverProperties>().driverName.data();
+  const std::string driver = properties.get<vk::PhysicalDeviceDriverProperties>().driverName.data();
   const std::string name =
     properties.get<vk::PhysicalDeviceProperties2>().properties.deviceName.data();
   return name + (driver.empty() ? "" : ", " + (driver == "llvmpipe" ? "lavapipe" : driver));
@@ -220,7 +219,7 @@ std::vector<std::string> Device::list()
   {
     const std::string lack = lacks(devices[i]);
     lines.push_back(std::to_string(i) + ": " + fullName(devices[i]) +
-      (!lack.empty()                ? " (cannot be used: lacks " + lack + ")"
+      (!lack.empty()                 ? " (cannot be used: lacks " + lack + ")"
           : canQueryRays(devices[i]) ? " (with ray query)"
                                      : " (without ray query)"));
   }
@@ -237,11 +236,11 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
   this->RayQuery = canQueryRays(this->Physical);
   this->MemoryBudget = hasExtension(this->Physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   this->Memory = this->Physical.getMemoryProperties();
-  this->MaximumAllocation = this->Physical
-                              .getProperties2<vk::PhysicalDeviceProperties2,
-                                vk::PhysicalDeviceMaintenance3Properties>()
-                              .get<vk::PhysicalDeviceMaintenance3Properties>()
-                              .maxMemoryAllocationSize;
+  this->MaximumAllocation =
+    this->Physical
+      .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
+      .get<vk::PhysicalDeviceMaintenance3Properties>()
+      .maxMemoryAllocationSize;
 
   std::vector<const char*> extensions;
   if (this->MemoryBudget)
@@ -282,12 +281,12 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
     extensions);
   this->Logical = vk::raii::Device(this->Physical, chain.get<vk::DeviceCreateInfo>());
   this->Queue = vk::raii::Queue(this->Logical, family, 0);
-  this->Pool = vk::raii::CommandPool(
-    this->Logical, { vk::CommandPoolCreateFlagBits::eTransient, family });
+  this->Pool =
+    vk::raii::CommandPool(this->Logical, { vk::CommandPoolCreateFlagBits::eTransient, family });
 }
 
-std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
-  vk::MemoryPropertyFlags preferred) const
+std::uint32_t Device::findMemoryType(
+  std::uint32_t allowed, vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) const
 {
   std::uint32_t best = this->Memory.memoryTypeCount;
   std::size_t bestCount = 0;
@@ -313,8 +312,8 @@ std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFl
   }
   if (best == this->Memory.memoryTypeCount)
   {
-    throw Failure("expected a memory type with " + vk::to_string(required) + ", " + this->Name +
-      " has none");
+    throw Failure(
+      "expected a memory type with " + vk::to_string(required) + ", " + this->Name + " has none");
   }
   return best;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Instance, device and queue: one for each device in use, shared by all renderers of the process and
-// gone with the last. Members throw vk::Error or vulkan::Failure; VolumeRenderer catches them.
+// Instance, device and queue: one for each device in use, shared by all renderers of the process
+// and gone with the last. Members throw vk::Error or vulkan::Failure; VolumeRenderer catches them.
 #ifndef ExaBricksVulkanDevice_h
 #define ExaBricksVulkanDevice_h
 
@@ -42,8 +42,8 @@ public:
   std::uint64_t maximumBoxes() const { return this->MaximumBoxes; }
   vk::DeviceSize scratchAlignment() const { return this->ScratchAlignment; }
 
-  /// Memory type with `required` flags among `allowed`, with the most of `preferred`; throws Failure
-  /// if there is none.
+  /// Memory type with `required` flags among `allowed`, with the most of `preferred`; throws
+  /// Failure if there is none.
   std::uint32_t findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
     vk::MemoryPropertyFlags preferred) const;
   vk::MemoryPropertyFlags memoryFlags(std::uint32_t type) const;

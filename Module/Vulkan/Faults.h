@@ -13,7 +13,7 @@ namespace vulkan
 struct Faults
 {
   int lostSubmits = 0; // so many next submits fail with "device lost"
-  std::uint64_t availableMemory = std::numeric_limits<std::uint64_t>::max(); // bytes, at most
+  std::uint64_t availableMemory = std::numeric_limits<std::uint64_t>::max();    // bytes, at most
   std::uint64_t largestValueBuffer = std::numeric_limits<std::uint64_t>::max(); // bytes, at most
 };
 

@@ -32,8 +32,7 @@ MarchPass::MarchPass(
   , Field(reconstruction)
   , Constants(this->Owner, sizeof(layout::Frame), Residence::Upload, "the frame's constants")
 {
-  const vk::PushConstantRange push(
-    vk::ShaderStageFlagBits::eCompute, 0, sizeof(vk::DeviceAddress));
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(vk::DeviceAddress));
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
   const bool rayQuery = traversal == Traversal::RayQuery;
@@ -53,10 +52,12 @@ MarchPass::MarchPass(
 void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4>& picture)
 {
   const std::size_t pixels = static_cast<std::size_t>(view.width) * view.height;
-  provide(this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback, "the picture");
+  provide(
+    this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback, "the picture");
   if (view.depth)
   {
-    provide(this->Depth, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
+    provide(
+      this->Depth, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
     this->Depth.upload(view.depth, pixels * sizeof(float));
   }
   frame.ndcToHalfCells = view.ndcToHalfCells;
@@ -71,17 +72,19 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));
 
-  this->Owner->submit([&](const vk::raii::CommandBuffer& commands) {
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
-    commands.pushConstants<vk::DeviceAddress>(
-      *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, this->Constants.address());
-    commands.dispatch(
-      (frame.width + GroupSize - 1) / GroupSize, (frame.height + GroupSize - 1) / GroupSize, 1);
-    const vk::MemoryBarrier toHost(
-      vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
-      vk::PipelineStageFlagBits::eHost, {}, toHost, {}, {});
-  });
+  this->Owner->submit(
+    [&](const vk::raii::CommandBuffer& commands)
+    {
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
+      commands.pushConstants<vk::DeviceAddress>(
+        *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, this->Constants.address());
+      commands.dispatch(
+        (frame.width + GroupSize - 1) / GroupSize, (frame.height + GroupSize - 1) / GroupSize, 1);
+      const vk::MemoryBarrier toHost(
+        vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+      commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
+        vk::PipelineStageFlagBits::eHost, {}, toHost, {}, {});
+    });
   picture.resize(pixels);
   std::memcpy(picture.data(), this->Picture.mapped(), pixels * sizeof(glm::vec4));
 }

@@ -99,7 +99,7 @@ struct VolumeRenderer::Internals
     {
       // A CPU's ray query walks boxes in software, and slower than the k-d tree.
       traversal = this->Device->hasRayQuery() && !this->Device->isCpu() ? Traversal::RayQuery
-                                                                       : Traversal::KdTree;
+                                                                        : Traversal::KdTree;
     }
     if (traversal != this->Figures.traversal)
     {
@@ -171,7 +171,8 @@ struct VolumeRenderer::Internals
       return;
     }
     const Stopwatch watch;
-    this->Bins = vulkan::makeBuffer(this->Device, this->Transfer.makeBins(), "the transfer function");
+    this->Bins =
+      vulkan::makeBuffer(this->Device, this->Transfer.makeBins(), "the transfer function");
     this->Knots =
       vulkan::makeBuffer(this->Device, this->Transfer.makeKnots(), "the transfer function");
     this->ColorsReady = true;
@@ -304,14 +305,13 @@ VolumeRenderer::VolumeRenderer()
 
 VolumeRenderer::~VolumeRenderer() = default;
 
-std::string VolumeRenderer::selectDevice(const std::string& wanted)
+void VolumeRenderer::selectDevice(const std::string& wanted)
 {
   if (wanted != this->Data->Wanted)
   {
     this->Data->DropAll();
     this->Data->Wanted = wanted;
   }
-  return this->Data->Guard([&] { this->Data->UpdateDevice(); });
 }
 
 void VolumeRenderer::selectTraversal(Traversal traversal)
@@ -319,19 +319,22 @@ void VolumeRenderer::selectTraversal(Traversal traversal)
   this->Data->WantedTraversal = traversal;
 }
 
-std::string VolumeRenderer::setVolume(const Volume& volume)
+void VolumeRenderer::setVolume(const Volume& volume)
 {
   this->Data->DropVolume();
   this->Data->Subject = volume;
-  return this->Data->Guard([&] { this->Data->Update(); });
 }
 
-std::string VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
+void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->ColorsReady = false;
   this->Data->OpacityReady =
     this->Data->OpacityReady && transfer.showsTheSame(this->Data->Transfer);
   this->Data->Transfer = transfer;
+}
+
+std::string VolumeRenderer::prepare()
+{
   return this->Data->Guard([&] { this->Data->Update(); });
 }
 
@@ -340,15 +343,9 @@ std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& pic
   return this->Data->Guard([&] { this->Data->March(view, picture); });
 }
 
-void VolumeRenderer::release()
-{
-  this->Data->DropAll();
-}
+void VolumeRenderer::release() { this->Data->DropAll(); }
 
-const VolumeRenderer::Statistics& VolumeRenderer::statistics() const
-{
-  return this->Data->Figures;
-}
+const VolumeRenderer::Statistics& VolumeRenderer::statistics() const { return this->Data->Figures; }
 
 std::vector<std::string> VolumeRenderer::listDevices()
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Vulkan layer as the rest of the program sees it: no Vulkan types, nothing is thrown.
 //
-// Order of calls: selectDevice (optional), setVolume, setTransferFunction, render; each of the last
-// three again when its subject changes. Every call returns an empty string, or what went wrong.
+// Order of calls: setVolume, setTransferFunction, render; each again when its subject changes. What
+// is set takes effect with the next prepare() or render(), which return an empty string, or what
+// went wrong.
 #ifndef ExaBricksVulkanVolumeRenderer_h
 #define ExaBricksVulkanVolumeRenderer_h
 
@@ -43,7 +44,8 @@ struct View
   glm::dmat4 ndcToWorld{ 1.0 };
   int width = 0; // pixels
   int height = 0;
-  const float* depth = nullptr; // [height][width], row 0 at the bottom, window depth in [0, 1], or null
+  const float* depth =
+    nullptr; // [height][width], row 0 at the bottom, window depth in [0, 1], or null
   Reconstruction reconstruction = Reconstruction::Basis;
   double stepScale = 1.0;           // step in finest cells of the region
   double opacityUnitDistance = 1.0; // world length
@@ -58,14 +60,18 @@ public:
   VolumeRenderer(const VolumeRenderer&) = delete;
   VolumeRenderer& operator=(const VolumeRenderer&) = delete;
 
-  /// `wanted`: index among the devices, or part of a device's name; empty: EXABRICKS_DEVICE, else the
-  /// best. A change frees everything on the device used before.
-  std::string selectDevice(const std::string& wanted);
+  /// `wanted`: index among the devices, or part of a device's name; empty: EXABRICKS_DEVICE, else
+  /// the best. A change frees everything on the device used before.
+  void selectDevice(const std::string& wanted);
   void selectTraversal(Traversal traversal);
 
-  std::string setVolume(const Volume& volume);
-  /// Uploads colours; selects the active regions anew when opacity changed.
-  std::string setTransferFunction(const TransferFunction& transfer);
+  void setVolume(const Volume& volume);
+  /// Costs an upload of colours; and when it shows other values than before, a new selection of the
+  /// active regions.
+  void setTransferFunction(const TransferFunction& transfer);
+
+  /// Brings everything on the device up to date.
+  std::string prepare();
   /// `picture`: [height][width] of premultiplied red, green, blue, opacity, row 0 at the bottom.
   std::string render(const View& view, std::vector<glm::vec4>& picture);
   /// Frees everything on the device.

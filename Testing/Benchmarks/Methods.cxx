@@ -122,9 +122,9 @@ DirectRenderer::DirectRenderer(const Subject& subject, Traversal traversal)
     {
       const vtkExaBricksData::Contents& contents = subject.contents();
       this->renderer.selectTraversal(traversal);
-      check(this->renderer.selectDevice(""));
-      check(this->renderer.setVolume({ &contents.Structure->tree, &contents.Structure->bricks,
-        &contents.Structure->hierarchy.cellWidth, &contents.Scalars, &contents.Ranges }));
+      this->renderer.selectDevice("");
+      this->renderer.setVolume({ &contents.Structure->tree, &contents.Structure->bricks,
+        &contents.Structure->hierarchy.cellWidth, &contents.Scalars, &contents.Ranges });
       this->setTransferFunction(makeTransferFunction(subject.property(), contents.Scalars.range));
     });
   this->setUp = costs.wall.front();
@@ -132,7 +132,8 @@ DirectRenderer::DirectRenderer(const Subject& subject, Traversal traversal)
 
 void DirectRenderer::setTransferFunction(const TransferFunction& transfer)
 {
-  check(this->renderer.setTransferFunction(transfer));
+  this->renderer.setTransferFunction(transfer);
+  check(this->renderer.prepare());
 }
 
 void DirectRenderer::render(const View& view) { check(this->renderer.render(view, this->pixels)); }

@@ -77,7 +77,8 @@ TEST(MatchesOracle, RaysEndAtTheDepthOfOpaqueGeometry)
   {
     // a staircase of depths through the volume
     const glm::dvec4 center = glm::inverse(view.ndcToLogical) *
-      glm::dvec4(glm::dvec3(subject.structure.tree.bounds.lo + subject.structure.tree.bounds.hi) * 0.5, 1.0);
+      glm::dvec4(
+        glm::dvec3(subject.structure.tree.bounds.lo + subject.structure.tree.bounds.hi) * 0.5, 1.0);
     view.depth[i] = static_cast<float>(0.5 + 0.5 * center.z / center.w) +
       0.002f * static_cast<float>(i % view.width / 16 - 3);
   }
@@ -99,8 +100,8 @@ TEST(MatchesOracle, ErrorFallsWithTheSquareOfTheStep)
     quality[i] = reference::psnr(subject.render(view), truth);
     std::cout << "step " << scales[i] << ": " << quality[i] << " dB\n";
   }
-  // Second order is 12 dB for each halving on smooth fields. The field has kinks at cell centres and
-  // level boundaries, which cost some of it.
+  // Second order is 12 dB for each halving on smooth fields. The field has kinks at cell centres
+  // and level boundaries, which cost some of it.
   EXPECT_GT(quality[1] - quality[0], 8.0);
   EXPECT_GT(quality[2] - quality[1], 8.0);
 }

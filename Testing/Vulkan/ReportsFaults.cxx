@@ -14,6 +14,12 @@ bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+std::string select(VolumeRenderer& renderer, const std::string& device)
+{
+  renderer.selectDevice(device);
+  return renderer.prepare();
+}
+
 class ReportsFaults : public testing::Test
 {
 protected:
@@ -24,27 +30,27 @@ protected:
 TEST_F(ReportsFaults, NamesTheDevicesWhenTheWantedOneIsNotThere)
 {
   VolumeRenderer renderer;
-  const std::string fault = renderer.selectDevice("no such device");
+  const std::string fault = select(renderer, "no such device");
   EXPECT_TRUE(contains(fault, "'no such device'")) << fault;
   EXPECT_TRUE(contains(fault, "0: ")) << fault;
   EXPECT_TRUE(contains(fault, "EXABRICKS_DEVICE")) << fault;
-  EXPECT_EQ(renderer.selectDevice(""), "");
-  EXPECT_NE(renderer.selectDevice("999"), "");
+  EXPECT_EQ(select(renderer, ""), "");
+  EXPECT_NE(select(renderer, "999"), "");
 }
 
 TEST_F(ReportsFaults, FindsADeviceByIndexByNameAndByEnvironment)
 {
   ASSERT_FALSE(VolumeRenderer::listDevices().empty());
   VolumeRenderer byIndex;
-  EXPECT_EQ(byIndex.selectDevice("0"), "");
+  EXPECT_EQ(select(byIndex, "0"), "");
   VolumeRenderer byName;
-  EXPECT_EQ(byName.selectDevice(byIndex.statistics().device.substr(0, 6)), "");
+  EXPECT_EQ(select(byName, byIndex.statistics().device.substr(0, 6)), "");
   EXPECT_EQ(byName.statistics().device, byIndex.statistics().device);
 
   setenv("EXABRICKS_DEVICE", "nothing like this", 1);
   VolumeRenderer byEnvironment;
-  EXPECT_TRUE(contains(byEnvironment.selectDevice(""), "nothing like this"));
-  EXPECT_EQ(byEnvironment.selectDevice("0"), ""); // the property comes first
+  EXPECT_TRUE(contains(select(byEnvironment, ""), "nothing like this"));
+  EXPECT_EQ(select(byEnvironment, "0"), ""); // the property comes first
   unsetenv("EXABRICKS_DEVICE");
 }
 

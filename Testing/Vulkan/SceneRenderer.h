@@ -30,16 +30,16 @@ struct SceneRenderer
     , scalars(gatherScalars(s.hierarchy, structure.bricks, s.cells))
     , ranges(findValueRanges(structure.tree, structure.bricks, s.hierarchy.cellWidth, scalars))
   {
-    EXPECT_EQ(this->renderer.setVolume({ &this->structure.tree, &this->structure.bricks,
-                &this->structure.hierarchy.cellWidth, &this->scalars, &this->ranges }),
-      "");
+    this->renderer.setVolume({ &this->structure.tree, &this->structure.bricks,
+      &this->structure.hierarchy.cellWidth, &this->scalars, &this->ranges });
     this->setTransfer(layeredTransfer());
   }
 
   void setTransfer(const TransferFunction& function)
   {
     this->transfer = function;
-    EXPECT_EQ(this->renderer.setTransferFunction(function), "");
+    this->renderer.setTransferFunction(function);
+    EXPECT_EQ(this->renderer.prepare(), "");
   }
 
   reference::View look(const glm::dvec3& direction, double viewAngle, int size = 96) const

@@ -22,9 +22,10 @@ reference::Scene twoConstants(double left, double right)
   reference::Scene scene;
   scene.hierarchy.cellWidth = { 1 };
   scene.hierarchy.blocks = { { 0, { Int3(0), Int3(96, 32, 32) } } };
-  scene.cells = reference::fillCells(scene.hierarchy, [=](int, const Int3& c) {
-    return c == Int3(0) ? 0.0 : c == Int3(95, 0, 0) ? 1.0 : c.x < 48 ? left : right;
-  });
+  scene.cells = reference::fillCells(scene.hierarchy,
+    [=](int, const Int3& c) {
+      return c == Int3(0) ? 0.0 : c == Int3(95, 0, 0) ? 1.0 : c.x < 48 ? left : right;
+    });
   return scene;
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// float32 on the device stays right on lattices of 2^20 cells and for cameras 10^5 domain sizes away.
+// float32 on the device stays right on lattices of 2^20 cells and for cameras 10^5 domain sizes
+// away.
 #include "SceneRenderer.h"
 
 using namespace exabricks;
@@ -21,9 +22,8 @@ reference::Scene makeFarApart(const reference::Scene& scene, std::int64_t distan
     pair.hierarchy.blocks.push_back(block);
     pair.cells.blocks.push_back(block.cells);
     pair.cells.values.push_back(scene.cells.values[b]);
-    pair.cells.duplicates.push_back(b < scene.cells.duplicates.size()
-        ? scene.cells.duplicates[b]
-        : std::vector<unsigned char>());
+    pair.cells.duplicates.push_back(
+      b < scene.cells.duplicates.size() ? scene.cells.duplicates[b] : std::vector<unsigned char>());
   }
   return pair;
 }
