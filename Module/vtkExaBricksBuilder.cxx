@@ -15,6 +15,7 @@
 #include "vtkPointDataToCellData.h"
 
 #include <chrono>
+#include <new>
 #include <set>
 
 vtkStandardNewMacro(vtkExaBricksBuilder);
@@ -60,6 +61,10 @@ struct vtkExaBricksBuilder::vtkInternals
   // Points each block of `source` to its array. Returns the array's name; sets `fault`.
   std::string FindArrays(vtkExaBricksBuilder* self, const exabricks::AMRInput& input,
     exabricks::AMRCellSource& source, std::string& fault);
+
+  // Null if it cannot be built, which is said, or was aborted.
+  std::shared_ptr<const vtkExaBricksData::Contents> Build(
+    vtkExaBricksBuilder* self, vtkOverlappingAMR* amr);
 };
 
 std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* self,
@@ -117,6 +122,73 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
   return name;
 }
 
+std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkInternals::Build(
+  vtkExaBricksBuilder* self, vtkOverlappingAMR* amr)
+{
+  const exabricks::AMRInput input = exabricks::readAMR(amr);
+  if (!input.fault.empty())
+  {
+    vtkErrorWithObjectMacro(self, << input.fault << ".");
+    return nullptr;
+  }
+  exabricks::AMRCellSource source(
+    input, self->VectorMode == COMPONENT ? self->VectorComponent : -1);
+  std::string fault;
+  auto contents = std::make_shared<vtkExaBricksData::Contents>();
+  contents->ArrayName = this->FindArrays(self, input, source, fault);
+  if (!fault.empty())
+  {
+    vtkErrorWithObjectMacro(self, << fault << ".");
+    return nullptr;
+  }
+
+  const auto progress = [self](double from, double to)
+  {
+    return [self, from, to](double done)
+    {
+      self->UpdateProgress(from + (to - from) * done);
+      return !self->GetAbortExecute();
+    };
+  };
+  const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
+  if (!keep)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->Structure.reset();
+    auto structure = std::make_shared<const exabricks::Structure>(
+      exabricks::buildStructure(input.hierarchy, progress(0.0, 0.5)));
+    if (structure->tree.nodes.empty())
+    {
+      return nullptr; // aborted
+    }
+    if (structure->partlyCoveredBoxes > 0)
+    {
+      vtkWarningWithObjectMacro(self,
+        "Finer blocks cover some coarse cells in part: the rest of these cells is "
+        "drawn with their value.");
+    }
+    ++self->NumberOfStructureBuilds;
+    contents->StructureTime = secondsSince(start);
+    this->Structure = std::move(structure);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const exabricks::Structure& structure = *this->Structure;
+  contents->Structure = this->Structure;
+  contents->Origin = input.hierarchy.origin;
+  contents->Spacing = input.hierarchy.spacing;
+  contents->AMRLevel = input.amrLevel;
+  contents->Scalars =
+    exabricks::gatherScalars(input.hierarchy, structure.bricks, source, progress(0.5, 0.95));
+  if (contents->Scalars.values.empty())
+  {
+    return nullptr; // aborted
+  }
+  contents->Ranges = exabricks::findValueRanges(
+    structure.tree, structure.bricks, input.hierarchy.cellWidth, contents->Scalars);
+  contents->ScalarsTime = secondsSince(start);
+  return contents;
+}
+
 vtkExaBricksBuilder::vtkExaBricksBuilder()
   : Internals(new vtkInternals)
 {
@@ -167,69 +239,22 @@ int vtkExaBricksBuilder::RequestData(
     return 0;
   }
 
-  const exabricks::AMRInput input = exabricks::readAMR(amr);
-  if (!input.fault.empty())
+  try
   {
-    vtkErrorMacro(<< input.fault << ".");
-    return 1; // nothing to show: on 0 the executive would say a second, unclear error
-  }
-  exabricks::AMRCellSource source(
-    input, this->VectorMode == COMPONENT ? this->VectorComponent : -1);
-  std::string fault;
-  auto contents = std::make_shared<vtkExaBricksData::Contents>();
-  contents->ArrayName = this->Internals->FindArrays(this, input, source, fault);
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 1;
-  }
-
-  const auto progress = [this](double from, double to)
-  {
-    return [this, from, to](double done)
+    // Without contents the output stays empty, and the reason has been said: on 0 the executive
+    // would add an unclear error of its own.
+    if (auto contents = this->Internals->Build(this, amr))
     {
-      this->UpdateProgress(from + (to - from) * done);
-      return !this->GetAbortExecute();
-    };
-  };
-  const bool keep = this->Internals->Structure &&
-    this->Internals->Structure->hierarchy.sameStructure(input.hierarchy);
-  if (!keep)
+      output->SetContents(std::move(contents));
+      this->UpdateProgress(1.0);
+    }
+  }
+  catch (const std::bad_alloc&)
   {
-    const auto start = std::chrono::steady_clock::now();
     this->Internals->Structure.reset();
-    auto structure = std::make_shared<const exabricks::Structure>(
-      exabricks::buildStructure(input.hierarchy, progress(0.0, 0.5)));
-    if (structure->tree.nodes.empty())
-    {
-      return 1; // aborted
-    }
-    if (structure->partlyCoveredBoxes > 0)
-    {
-      vtkWarningMacro("Finer blocks cover some coarse cells in part: the rest of these cells is "
-                      "drawn with their value.");
-    }
-    ++this->NumberOfStructureBuilds;
-    contents->StructureTime = secondsSince(start);
-    this->Internals->Structure = std::move(structure);
+    vtkErrorMacro("Expected memory for bricks, regions and 4 bytes for each leaf cell, the machine "
+                  "has too little. Read fewer levels.");
   }
-  const auto start = std::chrono::steady_clock::now();
-  const exabricks::Structure& structure = *this->Internals->Structure;
-  contents->Structure = this->Internals->Structure;
-  contents->Origin = input.hierarchy.origin;
-  contents->Spacing = input.hierarchy.spacing;
-  contents->AMRLevel = input.amrLevel;
-  contents->Scalars =
-    exabricks::gatherScalars(input.hierarchy, structure.bricks, source, progress(0.5, 0.95));
-  if (contents->Scalars.values.empty())
-  {
-    return 1; // aborted
-  }
-  contents->Ranges = exabricks::findValueRanges(
-    structure.tree, structure.bricks, input.hierarchy.cellWidth, contents->Scalars);
-  contents->ScalarsTime = secondsSince(start);
-  output->SetContents(std::move(contents));
-  this->UpdateProgress(1.0);
   return 1;
 }
 

@@ -11,13 +11,14 @@
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
+#include "vtkGarbageCollector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -35,7 +36,7 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
 
 struct vtkExaBricksVolumeMapper::vtkInternals
 {
-  vtkNew<vtkExaBricksBuilder> Builder;
+  vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
   exabricks::VolumeRenderer Renderer;
   exabricks::OpenGLPicture Picture;
   std::vector<glm::vec4> Pixels;
@@ -205,6 +206,14 @@ vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
 }
 
 vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper() { this->SetDevice(nullptr); }
+
+void vtkExaBricksVolumeMapper::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  // Mapper and builder hold the same producer: without this the collector would not see the
+  // builder's share, and leave the input behind.
+  vtkGarbageCollectorReport(collector, this->Internals->Builder, "Builder");
+}
 
 int vtkExaBricksVolumeMapper::FillInputPortInformation(int, vtkInformation* info)
 {

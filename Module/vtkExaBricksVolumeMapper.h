@@ -176,6 +176,7 @@ protected:
   ~vtkExaBricksVolumeMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ReportReferences(vtkGarbageCollector* collector) override;
 
   int Reconstruction = BASIS;
   double StepScale = 1.0;

@@ -134,22 +134,32 @@ private:
   std::vector<std::vector<int>> BlockOf; // [level][box], index into Hierarchy::blocks
 };
 
-// Runs `work(brick, scratch)` for all bricks on all threads; `done` is the part of the whole
-// before.
-template <typename Work>
-bool forEachBrick(std::size_t count, double before, const Progress& progress, const Work& work)
+// With fewer cells than this, starting the threads takes longer than the work.
+constexpr std::uint64_t ParallelCells = 1 << 17;
+
+std::uint64_t countCells(const std::vector<Brick>& bricks)
 {
+  return bricks.empty() ? 0 : bricks.back().firstValue + bricks.back().numberOfCells();
+}
+
+// Runs `work(brick, scratch)` for all bricks on all threads; `before` is the part of the whole that
+// is done.
+template <typename Work>
+bool forEachBrick(
+  const std::vector<Brick>& bricks, double before, const Progress& progress, const Work& work)
+{
+  const std::size_t count = bricks.size();
   if (progress && !progress(before))
   {
     return false;
   }
   std::atomic<bool> aborted{ false };
   std::atomic<std::size_t> done{ 0 };
-#pragma omp parallel
+#pragma omp parallel if (countCells(bricks) > ParallelCells)
   {
     BrickReader::Scratch scratch;
     std::size_t own = 0;
-#pragma omp for schedule(dynamic, 16)
+#pragma omp for schedule(dynamic, 2)
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
     {
       if (aborted)
@@ -158,7 +168,7 @@ bool forEachBrick(std::size_t count, double before, const Progress& progress, co
       }
       work(static_cast<std::size_t>(i), scratch);
       const std::size_t n = ++done;
-      if (progress && omp_get_thread_num() == 0 && ++own % 64 == 0)
+      if (progress && omp_get_thread_num() == 0 && ++own % 16 == 0)
       {
         aborted = !progress(before + 0.5 * static_cast<double>(n) / static_cast<double>(count));
       }
@@ -174,7 +184,7 @@ Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bric
   Scalars scalars;
   const BrickReader reader(hierarchy, source);
   std::vector<Range> ranges(bricks.size());
-  const bool ranged = forEachBrick(bricks.size(), 0.0, progress,
+  const bool ranged = forEachBrick(bricks, 0.0, progress,
     [&](std::size_t b, BrickReader::Scratch& scratch)
     {
       reader.read(bricks[b], scratch);
@@ -196,11 +206,10 @@ Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bric
     return scalars;
   }
 
-  scalars.values.resize(
-    bricks.empty() ? 0 : bricks.back().firstValue + bricks.back().numberOfCells());
+  scalars.values.resize(countCells(bricks));
   scalars.brickHasAbsentCells.assign(bricks.size(), 0);
   std::atomic<std::uint64_t> absentCells{ 0 };
-  const bool gathered = forEachBrick(bricks.size(), 0.5, progress,
+  const bool gathered = forEachBrick(bricks, 0.5, progress,
     [&](std::size_t b, BrickReader::Scratch& scratch)
     {
       reader.read(bricks[b], scratch);
@@ -227,7 +236,7 @@ std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vecto
   const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
 {
   std::vector<ValueRange> ranges(tree.regions.size());
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
   for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
   {
     const layout::Region& region = tree.regions[r];

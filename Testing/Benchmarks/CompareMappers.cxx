@@ -181,7 +181,7 @@ void run(const Request& request)
   // The device stays in use, so that none of the set-ups to come has to start it.
   VolumeRenderer first;
   Costs deviceStart;
-  deviceStart.measure([&] { first.selectDevice(""); });
+  deviceStart.measure([&] { first.prepare(); }); // what it may say, the next ones say too
   DirectRenderer kdTree(subject, Traversal::KdTree);
   DirectRenderer rayQuery(subject, Traversal::RayQuery);
   std::vector<Method> methods;
