@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
+#include "vtkVersionMacros.h"
 
 #include <chrono>
 #include <new>
@@ -57,10 +58,12 @@ struct vtkExaBricksBuilder::vtkInternals
 {
   std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
   bool SaidPointsAreConverted = false;
+  bool Aborted = false; // the last build: its output is empty, and not to be taken for up to date
 
-  // Points each block of `source` to its array. Returns the array's name; sets `fault`.
+  // Points each block of `source` to its array. Returns the array's name; sets its number of
+  // components, and `fault`.
   std::string FindArrays(vtkExaBricksBuilder* self, const exabricks::AMRInput& input,
-    exabricks::AMRCellSource& source, std::string& fault);
+    exabricks::AMRCellSource& source, int& components, std::string& fault);
 
   // Null if it cannot be built, which is said, or was aborted.
   std::shared_ptr<const vtkExaBricksData::Contents> Build(
@@ -68,7 +71,8 @@ struct vtkExaBricksBuilder::vtkInternals
 };
 
 std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* self,
-  const exabricks::AMRInput& input, exabricks::AMRCellSource& source, std::string& fault)
+  const exabricks::AMRInput& input, exabricks::AMRCellSource& source, int& components,
+  std::string& fault)
 {
   std::string name;
   for (std::size_t b = 0; b < input.grids.size(); ++b)
@@ -90,15 +94,24 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
         ". Choose one of them by name, and let the reader read it (readers may enable none)";
       return name;
     }
+    name = array->GetName() ? array->GetName() : "(unnamed)";
+    const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
+    if (array->GetNumberOfTuples() != expected)
+    {
+      fault = "expected " + std::to_string(expected) + " values in array '" + name +
+        "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
+        std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
+      return name;
+    }
     if (array->GetNumberOfComponents() > 1 && self->VectorMode == COMPONENT &&
       self->VectorComponent >= array->GetNumberOfComponents())
     {
       fault = "expected a component below " + std::to_string(array->GetNumberOfComponents()) +
-        " of array '" + array->GetName() + "', found VectorComponent " +
-        std::to_string(self->VectorComponent);
+        " of array '" + name + "', found VectorComponent " + std::to_string(self->VectorComponent);
       return name;
     }
-    if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    if (onPoints)
     {
       vtkNew<vtkImageData> points;
       points->CopyStructure(grid);
@@ -106,17 +119,16 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
       vtkNew<vtkPointDataToCellData> convert;
       convert->SetInputData(points);
       convert->Update();
-      array =
-        vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(array->GetName());
+      array = vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(0);
       if (!this->SaidPointsAreConverted)
       {
         this->SaidPointsAreConverted = true;
         vtkWarningWithObjectMacro(self,
-          "'" << array->GetName()
+          "'" << name
               << "' is a point array: it is converted to cells with vtkPointDataToCellData.");
       }
     }
-    name = array->GetName() ? array->GetName() : "";
+    components = array->GetNumberOfComponents();
     source.setArray(static_cast<int>(b), array);
   }
   return name;
@@ -135,7 +147,7 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
     input, self->VectorMode == COMPONENT ? self->VectorComponent : -1);
   std::string fault;
   auto contents = std::make_shared<vtkExaBricksData::Contents>();
-  contents->ArrayName = this->FindArrays(self, input, source, fault);
+  contents->ArrayName = this->FindArrays(self, input, source, contents->Components, fault);
   if (!fault.empty())
   {
     vtkErrorWithObjectMacro(self, << fault << ".");
@@ -147,7 +159,12 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
     return [self, from, to](double done)
     {
       self->UpdateProgress(from + (to - from) * done);
-      return !self->GetAbortExecute();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+      self->Internals->Aborted = self->CheckAbort() || self->GetAbortExecute();
+#else
+      self->Internals->Aborted = self->GetAbortExecute() != 0;
+#endif
+      return !self->Internals->Aborted;
     };
   };
   const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
@@ -185,6 +202,10 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
   }
   contents->Ranges = exabricks::findValueRanges(
     structure.tree, structure.bricks, input.hierarchy.cellWidth, contents->Scalars);
+  if (!progress(0.95, 1.0)(1.0))
+  {
+    return nullptr;
+  }
   contents->ScalarsTime = secondsSince(start);
   return contents;
 }
@@ -197,6 +218,18 @@ vtkExaBricksBuilder::vtkExaBricksBuilder()
 }
 
 vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;
+
+vtkMTimeType vtkExaBricksBuilder::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Internals->Aborted)
+  {
+    vtkTimeStamp now;
+    now.Modified();
+    time = now.GetMTime();
+  }
+  return time;
+}
 
 vtkExaBricksData* vtkExaBricksBuilder::GetOutput()
 {
@@ -233,6 +266,7 @@ int vtkExaBricksBuilder::RequestData(
   vtkExaBricksData* output = vtkExaBricksData::SafeDownCast(
     outputVector->GetInformationObject(0)->Get(vtkDataObject::DATA_OBJECT()));
   output->Initialize();
+  this->Internals->Aborted = false;
   if (!amr)
   {
     vtkErrorMacro("Expected a vtkOverlappingAMR, found none. Set the input.");
@@ -246,7 +280,6 @@ int vtkExaBricksBuilder::RequestData(
     if (auto contents = this->Internals->Build(this, amr))
     {
       output->SetContents(std::move(contents));
-      this->UpdateProgress(1.0);
     }
   }
   catch (const std::bad_alloc&)

@@ -62,6 +62,9 @@ public:
 
   vtkExaBricksData* GetOutput();
 
+  /// Later than its output when the last run was aborted: the next Update() runs again.
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkExaBricksBuilder();
   ~vtkExaBricksBuilder() override;

@@ -214,13 +214,19 @@ void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
   {
     if (value >= 0.0f)
     {
-      ++count[std::min(static_cast<int>(value * static_cast<float>(bins)), bins - 1)];
+      const auto bin = static_cast<std::int64_t>(static_cast<double>(value) * bins);
+      ++count[std::min<std::int64_t>(bin, bins - 1)];
     }
   }
 }
 
 void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
 {
+  if (!output)
+  {
+    vtkErrorMacro("Expected an unstructured grid to put the bricks into, found none.");
+    return;
+  }
   VoxelWriter writer(output);
   if (!this->Shared)
   {
@@ -260,6 +266,11 @@ void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
 
 void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewiseFunction* opacity)
 {
+  if (!output)
+  {
+    vtkErrorMacro("Expected an unstructured grid to put the regions into, found none.");
+    return;
+  }
   VoxelWriter writer(output);
   if (!this->Shared)
   {

@@ -24,6 +24,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
 #include <set>
 
 vtkStandardNewMacro(vtkExaBricksVolumeMapper);
@@ -48,6 +49,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   vtkMTimeType PropertyTime = 0;
 
   std::set<std::string> Said;     // warnings, once each
+  std::string SaidFault;          // of the last picture, said once as long as it stays
   std::string ConfigurationFault; // empty if the builder has the mapper's input and array
 
   void WarnOnce(vtkExaBricksVolumeMapper* self, const std::string& what)
@@ -60,6 +62,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   // Says what of the scene is not supported. False: nothing can be drawn.
   bool CheckSupport(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property);
+  // Returns which values cannot be drawn with.
+  std::string CheckValues(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
   // Points the builder to the mapper's input and array; returns why it cannot.
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
   // Hands the renderer what has changed.
@@ -110,12 +114,36 @@ bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
   return true;
 }
 
+std::string vtkExaBricksVolumeMapper::vtkInternals::CheckValues(
+  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
+{
+  const int components = this->Builder->GetOutput()->GetContents()->Components;
+  if (components > 1 && !property->GetIndependentComponents())
+  {
+    return "expected independent components, found " + std::to_string(components) +
+      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
+      "of the volume property, and choose a component or the magnitude";
+  }
+  const double unit = property->GetScalarOpacityUnitDistance(0);
+  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale))
+  {
+    return "expected a finite, positive ScalarOpacityUnitDistance and a finite StepScale, found " +
+      std::to_string(unit) + " and " + std::to_string(self->StepScale);
+  }
+  return {};
+}
+
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
 {
   vtkAlgorithmOutput* input =
     self->GetNumberOfInputConnections(0) > 0 ? self->GetInputConnection(0, 0) : nullptr;
   if (!input)
   {
+    // Nothing of the former input is kept.
+    this->Builder->RemoveAllInputConnections(0);
+    this->Builder->GetOutputDataObject(0)->Initialize();
+    this->Renderer.setVolume({});
+    this->Contents.reset();
     return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
   }
   vtkExaBricksBuilder* builder = this->Builder;
@@ -240,6 +268,10 @@ const char* vtkExaBricksVolumeMapper::GetTraversalAsString()
 
 void vtkExaBricksVolumeMapper::GetDevices(vtkStringArray* lines)
 {
+  if (!lines)
+  {
+    return;
+  }
   lines->Initialize();
   for (const std::string& line : exabricks::VolumeRenderer::listDevices())
   {
@@ -345,12 +377,12 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   if (!internals.ConfigurationFault.empty() || !data || !data->GetContents() ||
     ren->GetRenderWindow()->CheckAbortStatus())
   {
-    return; // the builder has said why
+    return; // the builder has said why, or was told to stop
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
   internals.UpdateRenderer(this, property);
-  std::string fault;
+  std::string fault = internals.CheckValues(this, property);
 
   const auto viewport = exabricks::OpenGLPicture::findViewport(ren);
   if (fault.empty() && viewport.width > 0 && viewport.height > 0)
@@ -372,10 +404,11 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
         std::to_string(viewport.height) + " pixels as a float texture, it refused";
     }
   }
-  if (!fault.empty())
+  if (!fault.empty() && fault != internals.SaidFault)
   {
     vtkErrorMacro("The volume is not drawn: " << fault << ".");
   }
+  internals.SaidFault = fault;
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }

@@ -3,7 +3,6 @@
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-#extension GL_EXT_buffer_reference_uvec2 : require
 
 #include "Layout.h"
 
@@ -17,4 +16,4 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Tr
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 
-layout(push_constant, scalar) uniform Push { uint64_t frame; } push;
+layout(push_constant, scalar) uniform Push { Band band; } push;

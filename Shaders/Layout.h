@@ -11,7 +11,6 @@
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 namespace exabricks
@@ -20,8 +19,6 @@ namespace layout
 {
 using glm::dmat4;
 using glm::ivec3;
-using glm::uvec2;
-using glm::vec2;
 using glm::vec4;
 using uint = std::uint32_t;
 using uint64_t = std::uint64_t;
@@ -99,6 +96,13 @@ struct Frame
   uint64_t depth;   // float[height][width], window depth in [0, 1]
   uint64_t picture; // vec4[height][width], premultiplied, row 0 at the bottom
   uint64_t scene;   // acceleration structure
+};
+
+// What one dispatch marches: some rows of a picture.
+struct Band
+{
+  uint64_t frame; // device address of the Frame
+  uint firstRow;
 };
 
 #ifdef __cplusplus

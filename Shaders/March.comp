@@ -98,8 +98,9 @@ void marchInterval(Ray ray, inout March march)
   const vec4 color = transfer(transferBins, transferKnots, value);
   if (color.a > 0.0)
   {
+    // An opaque value is opaque at any length.
     const float units = interval * ray.worldPerHalfCell * inverseUnit;
-    const float alpha = 1.0 - exp2(log2(max(1.0 - color.a, 1e-37)) * units);
+    const float alpha = color.a >= 1.0 ? 1.0 : 1.0 - exp2(log2(1.0 - color.a) * units);
     march.color += (1.0 - march.color.a) * alpha * vec4(color.rgb, 1.0);
   }
 }
@@ -291,8 +292,8 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 
 void main()
 {
-  FrameBuffer f = FrameBuffer(push.frame);
-  const uvec2 pixel = gl_GlobalInvocationID.xy;
+  FrameBuffer f = FrameBuffer(push.band.frame);
+  const uvec2 pixel = gl_GlobalInvocationID.xy + uvec2(0, push.band.firstRow);
   if (pixel.x >= f.frame.width || pixel.y >= f.frame.height)
   {
     return;

@@ -88,8 +88,12 @@ bool sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint cou
   return weight > 0.0 && !absent;
 }
 
-// Positions are exact to about 1e-4 half cells: this far behind a face, a point is in the next cell.
-const float BEHIND_FACE = 5e-4;
+// Positions are exact to about 1e-4 half cells, or some units in the last place of the distance where
+// that is more: this far behind a face, a point is in the next cell.
+float behindFace(float distance)
+{
+  return distance + max(5e-4, 5e-7 * distance);
+}
 
 // Nearest: the value of the leaf cell that the ray enters at `distance`; `end` comes as the end of
 // the region and goes as the end of the cell, if that is nearer. The field is constant in between,
@@ -98,7 +102,7 @@ const float BEHIND_FACE = 5e-4;
 bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
   float distance, inout float end, out float value)
 {
-  const float inside = min(distance + BEHIND_FACE, end);
+  const float inside = min(behindFace(distance), end);
   float closest = 1e30;
   Brick holder = brick;
   uvec3 cell = uvec3(0);

@@ -8,7 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkFloatArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace
 struct LogarithmWorker
 {
   template <class ArrayType>
-  void operator()(ArrayType* in, vtkFloatArray* out, std::optional<int> component) const
+  void operator()(ArrayType* in, vtkDoubleArray* out, std::optional<int> component) const
   {
     auto result = vtk::DataArrayValueRange<1>(out).begin();
     for (const auto tuple : vtk::DataArrayTupleRange(in))
@@ -41,8 +41,7 @@ struct LogarithmWorker
         }
         value = std::sqrt(value);
       }
-      *result++ = value > 0.0 ? static_cast<float>(std::log10(value))
-                              : std::numeric_limits<float>::quiet_NaN();
+      *result++ = value > 0.0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
     }
   }
 };
@@ -63,7 +62,7 @@ std::string AddLogarithm(
       }
       // The magnitude of a scalar would lose its sign.
       const auto which = in->GetNumberOfComponents() == 1 ? std::optional<int>(0) : component;
-      vtkNew<vtkFloatArray> out;
+      vtkNew<vtkDoubleArray> out;
       out->SetName(name.c_str());
       out->SetNumberOfTuples(in->GetNumberOfTuples());
       LogarithmWorker worker;

@@ -131,17 +131,20 @@ void AMRFile::SetLevels(int levels)
 
 void AMRFile::FindArrays()
 {
-  // The AMR readers have scalar arrays only, and list them.
-  if (auto* amr = vtkAMRBaseReader::SafeDownCast(this->Reader))
+  // The AMR readers list their arrays, but not how many components each has: some make vectors of
+  // names that end in x, y, z. So the coarsest level is read once.
+  auto* base = vtkAMRBaseReader::SafeDownCast(this->Reader);
+  const auto enableAll = [base](int status)
   {
-    for (int i = 0; i < amr->GetNumberOfCellArrays(); ++i)
+    for (int i = 0; base && i < base->GetNumberOfCellArrays(); ++i)
     {
-      this->CellArrays.push_back({ amr->GetCellArrayName(i), 1 });
+      base->SetCellArrayStatus(base->GetCellArrayName(i), status);
     }
-    return;
-  }
+  };
+  enableAll(1);
   this->SetLevels(1);
   this->Reader->Update();
+  enableAll(0);
   auto amr = this->Output("could not be read");
   ForEachBlock(amr,
     [this](vtkDataSet* block)

@@ -248,8 +248,9 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     grid->GetDimensions(points);
     source.GridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
     source.First = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
-    if (auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-          grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
+    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+      grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    if (ghosts && ghosts->GetNumberOfValues() == grid->GetNumberOfCells())
     {
       source.Ghosts = ghosts->GetPointer(0);
       const Box& cells = input.hierarchy.blocks[b].cells;

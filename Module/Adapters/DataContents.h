@@ -16,6 +16,7 @@ struct vtkExaBricksData::Contents
   exabricks::Scalars Scalars;
   std::vector<exabricks::ValueRange> Ranges; // of the regions
   std::string ArrayName;
+  int Components = 1;         // of the array
   double StructureTime = 0.0; // s
   double ScalarsTime = 0.0;   // s
 

@@ -43,9 +43,12 @@ bool OpenGLPicture::readDepth(vtkRenderer* ren, const Viewport& viewport, std::v
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
-    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+    GLint alignment = 4;
+    glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(viewport.x, viewport.y, viewport.width, viewport.height, GL_DEPTH_COMPONENT,
       GL_FLOAT, depth.data());
+    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
   }
   return std::any_of(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
 }

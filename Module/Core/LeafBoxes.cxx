@@ -141,7 +141,7 @@ void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>&
   subtract(parts.second, inside, rest);
 }
 
-LeafBoxes findLeafBoxes(const Hierarchy& hierarchy)
+LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress)
 {
   const int levels = hierarchy.levels();
   std::vector<std::vector<Box>> boxesOfLevel(levels);
@@ -170,6 +170,11 @@ LeafBoxes findLeafBoxes(const Hierarchy& hierarchy)
   std::vector<Box> earlier;
   for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
   {
+    if (progress && b % 256 == 0 &&
+      !progress(static_cast<double>(b) / static_cast<double>(hierarchy.blocks.size())))
+    {
+      return {};
+    }
     const Block& block = hierarchy.blocks[b];
     const Box box = hierarchy.logicalBox(block);
     VisiblePart part(box, hierarchy.cellWidth[block.level]);

@@ -24,8 +24,8 @@ struct LeafBoxes
 };
 
 /// Covered is what a finer block of `hierarchy.blocks` covers; where blocks of one level overlap,
-/// each cell is taken once.
-LeafBoxes findLeafBoxes(const Hierarchy& hierarchy);
+/// each cell is taken once. Returns no boxes if `progress` aborts.
+LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress = {});
 
 /// Appends to `rest` disjoint boxes that make up `box` without `cutters`.
 void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>& rest);

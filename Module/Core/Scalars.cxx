@@ -52,6 +52,7 @@ public:
     /// Of the brick's cells: 0 for none yet, else it grows with the level that the value is from,
     /// and is odd for a duplicate.
     std::vector<unsigned char> rank;
+    std::vector<int> blocks;
   };
 
   /// The brick's values, x fastest, into scratch.values.
@@ -64,8 +65,14 @@ public:
     std::size_t missing = n;
     for (int level = brick.level; level >= 0 && missing > 0; --level)
     {
-      this->Index[level].forEachIntersecting(
-        box, [&](int i) { missing -= this->ReadPart(brick, box, level, i, scratch); });
+      // In the order of the blocks, so that of blocks that overlap the same one wins in all bricks.
+      scratch.blocks.clear();
+      this->Index[level].forEachIntersecting(box, [&](int i) { scratch.blocks.push_back(i); });
+      std::sort(scratch.blocks.begin(), scratch.blocks.end());
+      for (const int i : scratch.blocks)
+      {
+        missing -= this->ReadPart(brick, box, level, i, scratch);
+      }
     }
   }
 
@@ -84,12 +91,14 @@ private:
     const Int3 first = box.lo / fine;
     const unsigned char real = static_cast<unsigned char>(2 * level + 2);
 
-    if (level == brick.level && n == scratch.values.size() && !this->Source.hasDuplicates(block))
+    const bool untouched =
+      std::all_of(scratch.rank.begin(), scratch.rank.end(), [](unsigned char r) { return r == 0; });
+    if (level == brick.level && n == scratch.values.size() && untouched &&
+      !this->Source.hasDuplicates(block))
     {
       this->Source.read(block, cells, scratch.values.data());
-      const auto added = std::count(scratch.rank.begin(), scratch.rank.end(), 0);
       std::fill(scratch.rank.begin(), scratch.rank.end(), real);
-      return static_cast<std::size_t>(added);
+      return n;
     }
     scratch.part.resize(n);
     this->Source.read(block, cells, scratch.part.data());

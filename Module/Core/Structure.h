@@ -31,20 +31,20 @@ inline Structure buildStructure(Hierarchy hierarchy, const Progress& progress = 
   Structure structure;
   structure.hierarchy = std::move(hierarchy);
   const std::vector<std::int64_t>& width = structure.hierarchy.cellWidth;
-  const LeafBoxes leaves = findLeafBoxes(structure.hierarchy);
-  structure.leafCells = leaves.cells;
-  structure.partlyCoveredBoxes = leaves.partlyCoveredBoxes;
   const auto part = [&](double from, double to) -> Progress
   {
     return !progress ? Progress() : [&progress, from, to](double done) {
       return progress(from + (to - from) * done);
     };
   };
-  structure.bricks = buildBricks(leaves, width, DefaultBrickCells, part(0.0, 0.3));
+  const LeafBoxes leaves = findLeafBoxes(structure.hierarchy, part(0.0, 0.3));
+  structure.leafCells = leaves.cells;
+  structure.partlyCoveredBoxes = leaves.partlyCoveredBoxes;
+  structure.bricks = buildBricks(leaves, width, DefaultBrickCells, part(0.3, 0.5));
   if (!structure.bricks.empty())
   {
     structure.tree =
-      buildRegions(structure.bricks, leaves.bounds, width, DefaultBricksPerRegion, part(0.3, 1.0));
+      buildRegions(structure.bricks, leaves.bounds, width, DefaultBricksPerRegion, part(0.5, 1.0));
   }
   return structure;
 }

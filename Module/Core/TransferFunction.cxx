@@ -57,7 +57,7 @@ glm::dvec4 TransferFunction::evaluate(double value) const
 
 bool TransferFunction::visible(const ValueRange& range) const
 {
-  if (this->Points.empty() || !(range.min <= range.max))
+  if (!(range.min <= range.max))
   {
     return false;
   }

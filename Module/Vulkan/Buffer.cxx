@@ -25,6 +25,7 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
   const vk::MemoryPropertyFlags hostWrites = Flag::eHostVisible | Flag::eHostCoherent;
   vk::MemoryPropertyFlags required;
   vk::MemoryPropertyFlags preferred;
+  vk::MemoryPropertyFlags avoided;
   switch (residence)
   {
     case Residence::Device:
@@ -33,12 +34,14 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
       preferred = this->Owner->isCpu() ? hostWrites : vk::MemoryPropertyFlags();
       break;
     case Residence::Upload:
+      // Not on the device: what of that the host can write may be small.
       required = hostWrites;
-      preferred = Flag::eDeviceLocal;
+      avoided = Flag::eDeviceLocal;
       break;
     case Residence::Readback:
       required = hostWrites;
       preferred = Flag::eHostCached;
+      avoided = Flag::eDeviceLocal;
       break;
   }
   this->Handle = vk::raii::Buffer(this->Owner->handle(),
@@ -47,7 +50,8 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
         vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst |
         vk::BufferUsageFlagBits::eTransferSrc));
   const vk::MemoryRequirements needs = this->Handle.getMemoryRequirements();
-  const std::uint32_t type = this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred);
+  const std::uint32_t type =
+    this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred, avoided);
   const vk::DeviceSize available = this->Owner->availableMemory(type);
   const auto refuse = [&]() -> Failure
   {
@@ -55,9 +59,15 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
       this->Owner->name() + " has " + megabytes(available) +
       " available. Use fewer levels, or a device with more memory");
   };
-  if (needs.size > available || needs.size > this->Owner->maximumAllocation())
+  if (needs.size > available)
   {
     throw refuse();
+  }
+  if (needs.size > this->Owner->maximumAllocation())
+  {
+    throw Failure(what + " needs " + megabytes(needs.size) + " in one piece, " +
+      this->Owner->name() + " allows " + megabytes(this->Owner->maximumAllocation()) +
+      ". Use fewer levels");
   }
   try
   {

@@ -144,8 +144,10 @@ std::string describe(const std::vector<vk::raii::PhysicalDevice>& devices)
 
 std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
 {
+  // A larger number is part of a name, such as 4090.
   const bool isIndex = !wanted.empty() && wanted.size() < 6 &&
-    std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+    std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); }) &&
+    std::stoul(wanted) < devices.size();
   std::size_t best = devices.size();
   int bestPreference = -1;
   for (std::size_t i = 0; i < devices.size(); ++i)
@@ -285,11 +287,11 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
     vk::raii::CommandPool(this->Logical, { vk::CommandPoolCreateFlagBits::eTransient, family });
 }
 
-std::uint32_t Device::findMemoryType(
-  std::uint32_t allowed, vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) const
+std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
+  vk::MemoryPropertyFlags preferred, vk::MemoryPropertyFlags avoided) const
 {
   std::uint32_t best = this->Memory.memoryTypeCount;
-  std::size_t bestCount = 0;
+  int bestCount = 0;
   for (std::uint32_t type = 0; type < this->Memory.memoryTypeCount; ++type)
   {
     const vk::MemoryPropertyFlags flags = this->memoryFlags(type);
@@ -297,12 +299,13 @@ std::uint32_t Device::findMemoryType(
     {
       continue;
     }
-    std::size_t count = 1;
+    int count = 8;
     for (const auto bit :
       { vk::MemoryPropertyFlagBits::eDeviceLocal, vk::MemoryPropertyFlagBits::eHostVisible,
         vk::MemoryPropertyFlagBits::eHostCached, vk::MemoryPropertyFlagBits::eHostCoherent })
     {
       count += (flags & preferred & bit) ? 1 : 0;
+      count -= (flags & avoided & bit) ? 1 : 0;
     }
     if (count > bestCount)
     {

@@ -42,10 +42,10 @@ public:
   std::uint64_t maximumBoxes() const { return this->MaximumBoxes; }
   vk::DeviceSize scratchAlignment() const { return this->ScratchAlignment; }
 
-  /// Memory type with `required` flags among `allowed`, with the most of `preferred`; throws
-  /// Failure if there is none.
+  /// Memory type with `required` flags among `allowed`, with the most of `preferred` and the least
+  /// of `avoided`; throws Failure if there is none.
   std::uint32_t findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
-    vk::MemoryPropertyFlags preferred) const;
+    vk::MemoryPropertyFlags preferred, vk::MemoryPropertyFlags avoided) const;
   vk::MemoryPropertyFlags memoryFlags(std::uint32_t type) const;
   /// Bytes that can still be allocated of a memory type, as far as the driver tells.
   vk::DeviceSize availableMemory(std::uint32_t type) const;

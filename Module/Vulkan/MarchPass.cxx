@@ -4,6 +4,7 @@
 #include "MarchKdTreeSpirv.h"
 #include "MarchRayQuerySpirv.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace exabricks
@@ -12,7 +13,8 @@ namespace vulkan
 {
 namespace
 {
-constexpr std::uint32_t GroupSize = 8; // local_size of March.comp
+constexpr std::uint32_t GroupSize = 8;         // local_size of March.comp
+constexpr std::uint32_t LargestBand = 1 << 20; // pixels
 
 void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSize bytes,
   Residence residence, const char* what)
@@ -32,7 +34,7 @@ MarchPass::MarchPass(
   , Field(reconstruction)
   , Constants(this->Owner, sizeof(layout::Frame), Residence::Upload, "the frame's constants")
 {
-  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(vk::DeviceAddress));
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Band));
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
   const bool rayQuery = traversal == Traversal::RayQuery;
@@ -72,19 +74,27 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));
 
-  this->Owner->submit(
-    [&](const vk::raii::CommandBuffer& commands)
-    {
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
-      commands.pushConstants<vk::DeviceAddress>(
-        *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, this->Constants.address());
-      commands.dispatch(
-        (frame.width + GroupSize - 1) / GroupSize, (frame.height + GroupSize - 1) / GroupSize, 1);
-      const vk::MemoryBarrier toHost(
-        vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-      commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
-        vk::PipelineStageFlagBits::eHost, {}, toHost, {}, {});
-    });
+  // A picture of many pixels goes in bands, each a submission of its own: a GPU that also drives a
+  // display must not be kept for long.
+  const std::uint32_t rows = std::max(GroupSize, LargestBand / frame.width / GroupSize * GroupSize);
+  for (std::uint32_t firstRow = 0; firstRow < frame.height; firstRow += rows)
+  {
+    const layout::Band band{ this->Constants.address(), firstRow };
+    const std::uint32_t height = std::min(rows, frame.height - firstRow);
+    this->Owner->submit(
+      [&](const vk::raii::CommandBuffer& commands)
+      {
+        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
+        commands.pushConstants<layout::Band>(
+          *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, band);
+        commands.dispatch(
+          (frame.width + GroupSize - 1) / GroupSize, (height + GroupSize - 1) / GroupSize, 1);
+        const vk::MemoryBarrier toHost(
+          vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+        commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
+          vk::PipelineStageFlagBits::eHost, {}, toHost, {}, {});
+      });
+  }
   picture.resize(pixels);
   std::memcpy(picture.data(), this->Picture.mapped(), pixels * sizeof(glm::vec4));
 }

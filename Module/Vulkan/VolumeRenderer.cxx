@@ -50,13 +50,15 @@ struct VolumeRenderer::Internals
   bool VolumeReady = false;
   bool ColorsReady = false;
   bool OpacityReady = false;
+  bool SceneFailed = false; // the volume is too much for an acceleration structure
+  std::string Fault;        // does not go away until something is set anew
 
   Statistics Figures;
 
   void DropVolume()
   {
     this->VolumeReady = false;
-    this->OpacityReady = false;
+    this->SceneFailed = false;
     this->Values.clear();
     this->Bricks = {};
     this->Regions = {};
@@ -98,8 +100,9 @@ struct VolumeRenderer::Internals
     if (traversal == Traversal::Automatic)
     {
       // A CPU's ray query walks boxes in software, and slower than the k-d tree.
-      traversal = this->Device->hasRayQuery() && !this->Device->isCpu() ? Traversal::RayQuery
-                                                                        : Traversal::KdTree;
+      traversal = this->Device->hasRayQuery() && !this->Device->isCpu() && !this->SceneFailed
+        ? Traversal::RayQuery
+        : Traversal::KdTree;
     }
     if (traversal != this->Figures.traversal)
     {
@@ -179,6 +182,13 @@ struct VolumeRenderer::Internals
     this->Figures.colorTime = watch.seconds();
   }
 
+  void BuildScene(std::vector<std::uint32_t> regions)
+  {
+    sortByMedianSplits(*this->Subject.tree, regions);
+    this->ActiveList = vulkan::makeBuffer(this->Device, regions, "the active regions");
+    this->Scene = vulkan::AccelerationStructure(this->Device, *this->Subject.tree, regions);
+  }
+
   void UpdateActiveRegions()
   {
     if (this->OpacityReady)
@@ -187,19 +197,30 @@ struct VolumeRenderer::Internals
     }
     const Stopwatch watch;
     this->DropActive();
-    ActiveRegions active =
+    const ActiveRegions active =
       selectActiveRegions(*this->Subject.tree, *this->Subject.ranges, this->Transfer);
     this->Figures.activeRegions = active.regions.size();
+    if (this->Figures.traversal == Traversal::RayQuery && !active.regions.empty())
+    {
+      try
+      {
+        this->BuildScene(active.regions);
+      }
+      catch (const vulkan::Failure&)
+      {
+        if (this->WantedTraversal != Traversal::Automatic)
+        {
+          throw;
+        }
+        // Too many boxes, or no memory for them: the k-d tree takes a fifth of it.
+        this->DropActive();
+        this->SceneFailed = true;
+        this->Figures.traversal = Traversal::KdTree;
+      }
+    }
     if (this->Figures.traversal == Traversal::KdTree)
     {
       this->Nodes = vulkan::makeBuffer(this->Device, active.nodes, "the k-d tree");
-    }
-    else if (!active.regions.empty())
-    {
-      sortByMedianSplits(*this->Subject.tree, active.regions);
-      this->ActiveList = vulkan::makeBuffer(this->Device, active.regions, "the active regions");
-      this->Scene =
-        vulkan::AccelerationStructure(this->Device, *this->Subject.tree, active.regions);
     }
     this->OpacityReady = true;
     this->Figures.opacityTime = watch.seconds();
@@ -258,6 +279,10 @@ struct VolumeRenderer::Internals
   template <typename Work>
   std::string Guard(const Work& work)
   {
+    if (!this->Fault.empty())
+    {
+      return this->Fault;
+    }
     for (int attempt = 0;; ++attempt)
     {
       try
@@ -287,7 +312,8 @@ struct VolumeRenderer::Internals
       catch (const vulkan::Failure& failure)
       {
         this->DropAll();
-        return failure.what();
+        this->Fault = failure.what();
+        return this->Fault;
       }
       catch (const std::exception& error)
       {
@@ -309,6 +335,7 @@ void VolumeRenderer::selectDevice(const std::string& wanted)
 {
   if (wanted != this->Data->Wanted)
   {
+    this->Data->Fault.clear();
     this->Data->DropAll();
     this->Data->Wanted = wanted;
   }
@@ -316,17 +343,23 @@ void VolumeRenderer::selectDevice(const std::string& wanted)
 
 void VolumeRenderer::selectTraversal(Traversal traversal)
 {
-  this->Data->WantedTraversal = traversal;
+  if (traversal != this->Data->WantedTraversal)
+  {
+    this->Data->Fault.clear();
+    this->Data->WantedTraversal = traversal;
+  }
 }
 
 void VolumeRenderer::setVolume(const Volume& volume)
 {
+  this->Data->Fault.clear();
   this->Data->DropVolume();
   this->Data->Subject = volume;
 }
 
 void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
+  this->Data->Fault.clear();
   this->Data->ColorsReady = false;
   this->Data->OpacityReady =
     this->Data->OpacityReady && transfer.showsTheSame(this->Data->Transfer);
@@ -343,7 +376,11 @@ std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& pic
   return this->Data->Guard([&] { this->Data->March(view, picture); });
 }
 
-void VolumeRenderer::release() { this->Data->DropAll(); }
+void VolumeRenderer::release()
+{
+  this->Data->Fault.clear();
+  this->Data->DropAll();
+}
 
 const VolumeRenderer::Statistics& VolumeRenderer::statistics() const { return this->Data->Figures; }
 

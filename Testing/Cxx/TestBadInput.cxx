@@ -10,6 +10,7 @@
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTrivialProducer.h"
@@ -165,6 +166,44 @@ int TestBadInput(int, char*[])
   scene.Fails(vectors, { "'velocity'", "below 3", "3" }, "a component out of range");
   mapper->SetVectorComponent(2);
   scene.Works("a component in range");
+  scene.stage.Property()->IndependentComponentsOff();
+  scene.Fails({ "independent components", "found 3" }, "dependent components");
+  scene.stage.Property()->IndependentComponentsOn();
+  scene.stage.Property()->SetScalarOpacityUnitDistance(0.0);
+  scene.Fails({ "ScalarOpacityUnitDistance", "found 0" }, "no unit distance");
+  scene.stage.Property()->SetScalarOpacityUnitDistance(1.0);
+  mapper->SetStepScale(std::nan(""));
+  scene.Fails({ "StepScale", "nan" }, "a step that is no number");
+  mapper->SetStepScale(1.0);
+  scene.Works("values in range");
+
+  // Arrays of another length than the grid: nothing is read past their end.
+  auto tooShort = test::makeAMR(blocks, test::constant(1.0));
+  test::forEachGrid(tooShort,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      grid->GetCellData()->Initialize();
+      vtkNew<vtkDoubleArray> three;
+      three->SetName("three");
+      three->SetNumberOfTuples(3);
+      three->FillValue(1.0);
+      grid->GetCellData()->SetScalars(three);
+    });
+  scene.Fails(tooShort, { "512 values", "'three'", "found 3" }, "a short array");
+
+  // An array without a name is as good as any.
+  auto unnamed = test::makeAMR(blocks, test::constant(1.0));
+  test::forEachGrid(unnamed,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      grid->GetCellData()->Initialize();
+      vtkNew<vtkDoubleArray> points;
+      points->SetNumberOfTuples(grid->GetNumberOfPoints());
+      points->FillValue(1.0);
+      grid->GetPointData()->SetScalars(points);
+    });
+  mapper->SetInputData(unnamed);
+  scene.Works("an unnamed point array");
 
   // Lattices: ratios that are not whole, that differ between axes, and grids beside the lattice.
   auto half = test::makeNullBlocks(blocks);

@@ -55,6 +55,64 @@ TEST(MatchesOracle, RaysAlongAnAxisAndThroughCellFaces)
   }
 }
 
+TEST(MatchesOracle, AnOpaqueValueIsOpaqueAtAnyLength)
+{
+  SceneRenderer subject(reference::twoLevels());
+  subject.setTransfer(TransferFunction({ { 0.0, { 0.2, 0.4, 0.8, 1.0 } } }));
+  subject.opacityUnitDistance = 1e6; // that of the whole domain, in metres say
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image picture = subject.render(view);
+  EXPECT_GE(reference::psnr(picture, subject.renderOracle(view)), 100.0);
+  EXPECT_EQ(picture.at(48, 48).a, 1.0);
+}
+
+TEST(MatchesOracle, DeepHierarchiesWithHugeCells)
+{
+  // Eleven levels around a corner: cells of the coarsest are 1024 finest ones wide, and a ray's
+  // distances within one region large.
+  reference::Scene scene;
+  scene.name = "eleven levels";
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(32) } } };
+  for (int level = 0; level < 11; ++level)
+  {
+    scene.hierarchy.cellWidth.push_back(std::int64_t(1) << (10 - level));
+    if (level > 0)
+    {
+      scene.hierarchy.blocks.push_back({ level, { Int3(0), Int3(4) } });
+    }
+  }
+  scene.cells = reference::fillCells(
+    scene.hierarchy, [](int level, const Int3& c) { return reference::noise(level, c, 7); });
+  for (const Reconstruction reconstruction : { Reconstruction::Basis, Reconstruction::Nearest })
+  {
+    SceneRenderer subject(scene);
+    subject.reconstruction = reconstruction;
+    subject.opacityUnitDistance = 4000.0;
+    for (const glm::dvec3 direction : { glm::dvec3(-0.6, 0.5, -0.4), glm::dvec3(1.0) })
+    {
+      const reference::View view = subject.look(direction, 30.0, 48);
+      const double quality = reference::psnr(subject.render(view), subject.renderOracle(view));
+      std::cout << scene.name << ": " << quality << " dB\n";
+      EXPECT_GE(quality, 50.0);
+    }
+  }
+}
+
+TEST(MatchesOracle, PicturesOfManyPixelsComeInBands)
+{
+  SceneRenderer subject(reference::uniform());
+  subject.setTransfer(TransferFunction({ { 0.0, glm::dvec4(1.0) } }));
+  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 40);
+  const reference::Image narrow = subject.render(view);
+  view.width = 65000; // 16 rows are a band
+  const reference::Image wide = subject.render(view);
+  for (int y = 0; y < view.height; ++y)
+  {
+    EXPECT_EQ(wide.at(view.width / 2, y).a, narrow.at(view.height / 2, y).a) << y;
+  }
+  EXPECT_GT(coverage(wide), 0.1);
+}
+
 TEST(MatchesOracle, CameraInsideTheVolume)
 {
   SceneRenderer subject(reference::mixedRatios());

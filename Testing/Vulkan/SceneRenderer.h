@@ -69,6 +69,7 @@ struct SceneRenderer
   {
     std::vector<glm::vec4> pixels;
     EXPECT_EQ(this->renderer.render(this->toView(from), pixels), "");
+    pixels.resize(static_cast<std::size_t>(from.width) * from.height);
     return { from.width, from.height, { pixels.begin(), pixels.end() } };
   }
 
