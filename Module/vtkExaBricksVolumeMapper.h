@@ -18,9 +18,9 @@
  * @endcode
  *
  * Of the volume property it honours colour (1 or 3 channels), scalar opacity and its unit distance.
- * It says so when it is asked for what it does not do yet: blend modes other than composite (an
- * error, nothing is drawn), shading, gradient opacity, 2-D transfer functions, cropping, clipping
- * planes (a warning, drawn without).
+ * It says so when it is asked for what it does not do yet: blend modes other than composite and
+ * dependent components such as RGBA (an error, nothing is drawn); shading, gradient opacity, 2-D
+ * transfer functions, cropping and clipping planes (a warning, drawn without).
  *
  * @par Thanks:
  * Wald, Zellmann, Usher, Morrical, Lang, Pascucci, "Ray Tracing Structured AMR Data Using
@@ -71,7 +71,8 @@ public:
   ///@{
   /**
    * Length of a step, in cells of the finest level that reaches the region that the ray is in.
-   * Default 1. The error falls with its square, the time grows with its inverse.
+   * Default 1. The error falls with its square, the time grows with its inverse. Has no effect on
+   * the nearest reconstruction, which takes one interval for each cell and is exact.
    */
   vtkSetClampMacro(StepScale, double, 0.001, 1000.0);
   vtkGetMacro(StepScale, double);

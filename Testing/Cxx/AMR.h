@@ -52,9 +52,9 @@ inline Field constant(double value)
 }
 
 /// Boxes and spacings, but null for every block. `blocks` of each level in the order of their
-/// index.
+/// index. `description`: of the grids, as VTK numbers it; 3-D if negative.
 inline vtkSmartPointer<vtkOverlappingAMR> makeNullBlocks(
-  const std::vector<Block>& blocks, const Lattice& lattice = {})
+  const std::vector<Block>& blocks, const Lattice& lattice = {}, int description = -1)
 {
   std::vector<int> blocksPerLevel;
   for (const Block& block : blocks)
@@ -65,11 +65,12 @@ inline vtkSmartPointer<vtkOverlappingAMR> makeNullBlocks(
   auto amr = vtkSmartPointer<vtkOverlappingAMR>::New();
 #ifdef EXABRICKS_AMR_OF_VTK_9_6
   amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
-  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
+  constexpr int threeD = vtkStructuredData::VTK_STRUCTURED_XYZ_GRID;
 #else
   amr->Initialize(static_cast<int>(blocksPerLevel.size()), blocksPerLevel.data());
-  amr->SetGridDescription(VTK_XYZ_GRID);
+  constexpr int threeD = VTK_XYZ_GRID;
 #endif
+  amr->SetGridDescription(description < 0 ? threeD : description);
   amr->SetOrigin(lattice.origin.data());
   std::vector<unsigned int> next(blocksPerLevel.size(), 0);
   for (unsigned int level = 0; level < blocksPerLevel.size(); ++level)

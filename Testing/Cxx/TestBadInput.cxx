@@ -109,15 +109,13 @@ int TestBadInput(int, char*[])
   mapper->SetInputConnection(producer->GetOutputPort());
   scene.Fails({ "at least one block" }, "a pipeline without data");
 
-  auto flat = test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 1 } } });
   auto flatGrid = vtkSmartPointer<vtkUniformGrid>::New();
   flatGrid->SetDimensions(9, 9, 1);
   vtkNew<vtkDoubleArray> flatValues;
   flatValues->SetNumberOfTuples(64);
   flatGrid->GetCellData()->SetScalars(flatValues);
-#ifndef EXABRICKS_AMR_OF_VTK_9_6
-  flat->SetGridDescription(flatGrid->GetGridDescription());
-#endif
+  auto flat =
+    test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 1 } } }, {}, flatGrid->GetGridDescription());
   flat->SetDataSet(0, 0, flatGrid);
   scene.Fails(flat, { "3-D AMR", "9 x 9 x 1 points" }, "a 2-D AMR");
 
