@@ -7,6 +7,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -40,8 +41,8 @@ std::string listArrays(vtkDataSet* block)
       const char* name = data->GetArrayName(i);
       if (name && std::string(name) != vtkDataSetAttributes::GhostArrayName())
       {
-        names.insert(
-          "'" + std::string(name) + "'" + (block->GetPointData() == data ? " (points)" : ""));
+        names.insert("'" + std::string(name) + "'" +
+          (block->GetPointData() == data ? " (points)" : " (cells)"));
       }
     }
   }
@@ -87,11 +88,15 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
         ? wanted->Get(vtkDataObject::FIELD_NAME())
         : nullptr;
       const exabricks::Block& block = input.hierarchy.blocks[b];
-      fault = (wantedName ? "expected an array '" + std::string(wantedName) + "'"
-                          : "expected active scalars") +
+      const bool points =
+        wanted->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      fault = (wantedName ? std::string("expected a ") + (points ? "point" : "cell") + " array '" +
+                    wantedName + "'"
+                          : std::string("expected active scalars")) +
         " in every block, found " + listArrays(grid) + " in one of level " +
         std::to_string(input.amrLevel[block.level]) +
-        ". Choose one of them by name, and let the reader read it (readers may enable none)";
+        ". Let the reader read it (readers may enable none), and choose it by name (of the mapper: "
+        "SetScalarModeToUseCellFieldData() and SelectScalarArray())";
       return name;
     }
     name = array->GetName() ? array->GetName() : "(unnamed)";
@@ -215,6 +220,9 @@ vtkExaBricksBuilder::vtkExaBricksBuilder()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
+  // There from the start, so that it can be asked even if a filter before this one fails.
+  vtkNew<vtkExaBricksData> output;
+  this->GetExecutive()->SetOutputData(0, output);
 }
 
 vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;

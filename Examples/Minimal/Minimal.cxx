@@ -33,6 +33,10 @@ int main(int argc, char** argv)
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectScalarArray(argv[2]);
   mapper->Update();
+  if (mapper->GetBuilder()->GetOutput()->GetNumberOfLeafCells() == 0)
+  {
+    return 1; // VTK has said why
+  }
   double range[2];
   mapper->GetBuilder()->GetOutput()->GetScalarRange(range); // of the leaf cells
   double spacing[3];

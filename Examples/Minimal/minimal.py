@@ -30,6 +30,8 @@ mapper.SetScalarModeToUseCellFieldData()
 mapper.SelectScalarArray(sys.argv[2])
 mapper.Update()
 data = mapper.GetBuilder().GetOutput()
+if data.GetNumberOfLeafCells() == 0:
+    sys.exit(1)  # VTK has said why
 scalar_range = [0.0, 0.0]
 data.GetScalarRange(scalar_range)  # of the leaf cells
 least, greatest = scalar_range

@@ -144,7 +144,7 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->type_name("KIND")
     ->check(CLI::IsMember({ "basis", "nearest" }))
     ->group(method);
-  app.add_option("--step-scale", o.StepScale, "Step along a ray, as a part of the cell size")
+  app.add_option("--step-scale", o.StepScale, "Step along a ray, in cells [1]; 0.5 draws smoother")
     ->type_name("S")
     ->check(CLI::PositiveNumber)
     ->group(method);

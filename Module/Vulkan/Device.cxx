@@ -136,7 +136,7 @@ std::string describe(const std::vector<vk::raii::PhysicalDevice>& devices)
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
     const std::string lack = lacks(devices[i]);
-    text += (i ? "; " : "") + std::to_string(i) + ": " + fullName(devices[i]) +
+    text += (i ? "; [" : "[") + std::to_string(i) + "] " + fullName(devices[i]) +
       (lack.empty() ? "" : " (lacks " + lack + ")");
   }
   return text.empty() ? "none" : text;
@@ -164,11 +164,11 @@ std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const s
   }
   if (best == devices.size())
   {
-    throw Failure("expected a Vulkan 1.2 device with bufferDeviceAddress, scalarBlockLayout, "
-                  "shaderInt64 and shaderFloat64" +
-      (wanted.empty() ? std::string()
-                      : (isIndex ? " and index " : " and a name with ") + ("'" + wanted + "'")) +
-      ", found " + describe(devices) +
+    const std::string expected = wanted.empty()
+      ? "expected a Vulkan 1.2 device with bufferDeviceAddress, scalarBlockLayout, shaderInt64 and "
+        "shaderFloat64"
+      : "expected a usable Vulkan device with '" + wanted + "' as its index or in its name";
+    throw Failure(expected + ", found " + describe(devices) +
       ". Choose another one by the property Device or EXABRICKS_DEVICE, or install a driver "
       "(without a GPU: Mesa's lavapipe)");
   }

@@ -114,8 +114,12 @@ int TestBadInput(int, char*[])
   vtkNew<vtkDoubleArray> flatValues;
   flatValues->SetNumberOfTuples(64);
   flatGrid->GetCellData()->SetScalars(flatValues);
-  auto flat =
-    test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 1 } } }, {}, flatGrid->GetGridDescription());
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  const int plane = vtkStructuredData::VTK_STRUCTURED_XY_PLANE;
+#else
+  const int plane = VTK_XY_PLANE;
+#endif
+  auto flat = test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 1 } } }, {}, plane);
   flat->SetDataSet(0, 0, flatGrid);
   scene.Fails(flat, { "3-D AMR", "9 x 9 x 1 points" }, "a 2-D AMR");
 

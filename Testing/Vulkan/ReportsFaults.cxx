@@ -32,7 +32,7 @@ TEST_F(ReportsFaults, NamesTheDevicesWhenTheWantedOneIsNotThere)
   VolumeRenderer renderer;
   const std::string fault = select(renderer, "no such device");
   EXPECT_TRUE(contains(fault, "'no such device'")) << fault;
-  EXPECT_TRUE(contains(fault, "0: ")) << fault;
+  EXPECT_TRUE(contains(fault, "[0] ")) << fault;
   EXPECT_TRUE(contains(fault, "EXABRICKS_DEVICE")) << fault;
   EXPECT_EQ(select(renderer, ""), "");
   EXPECT_NE(select(renderer, "999"), "");

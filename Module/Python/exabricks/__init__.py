@@ -15,4 +15,6 @@ from .vtkRenderingVolumeExaBricks import (
     vtkExaBricksVolumeMapper,
 )
 
+__version__ = "0.1.0"
+
 __all__ = ["vtkExaBricksBuilder", "vtkExaBricksData", "vtkExaBricksVolumeMapper"]
