@@ -7,12 +7,15 @@
 #include "vtkCamera.h"
 #include "vtkExaBricksData.h"
 #include "vtkExaBricksVolumeMapper.h"
+#include "vtkImageData.h"
 #include "vtkRenderer.h"
 #include "vtkVersion.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -72,6 +75,21 @@ std::ostream& Line(std::ostream& out, const char* name)
   return out << std::left << std::setw(10) << name;
 }
 
+// The largest difference from the background in the picture, of 255.
+int LargestContrast(const Run& run)
+{
+  auto image = run.Result.Pixels();
+  const auto* value = static_cast<const unsigned char*>(image->GetScalarPointer());
+  const vtkIdType values = 3 * image->GetNumberOfPoints();
+  int largest = 0;
+  for (vtkIdType i = 0; i < values; ++i)
+  {
+    const int background = static_cast<int>(std::lround(255.0 * run.Asked.Background[i % 3]));
+    largest = std::max(largest, std::abs(value[i] - background));
+  }
+  return largest;
+}
+
 void PrintNotes(std::ostream& out, const Run& run)
 {
   vtkExaBricksData* data = run.Result.Data();
@@ -91,6 +109,11 @@ void PrintNotes(std::ostream& out, const Run& run)
   if (run.Result.Mapper()->GetNumberOfActiveRegions() == 0)
   {
     Line(out, "Hint") << "nothing is visible: no value in the data has an opacity above zero\n";
+  }
+  else if (LargestContrast(run) < 96)
+  {
+    Line(out, "Hint") << "little is visible: try --opacity, a smaller --opacity-unit, another "
+                         "--color-map or --background\n";
   }
 }
 
