@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LeafBoxes.h"
 
-#include "Core/BoxIndex.h"
+#include "Core/BlockIndex.h"
 
 #include <cstdlib>
 
@@ -143,20 +143,7 @@ void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>&
 
 LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress)
 {
-  const int levels = hierarchy.levels();
-  std::vector<std::vector<Box>> boxesOfLevel(levels);
-  std::vector<std::vector<int>> rank(levels); // of a box among the blocks, to order overlaps
-  for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
-  {
-    const Block& block = hierarchy.blocks[b];
-    boxesOfLevel[block.level].push_back(hierarchy.logicalBox(block));
-    rank[block.level].push_back(static_cast<int>(b));
-  }
-  std::vector<BoxIndex> index(levels);
-  for (int level = 0; level < levels; ++level)
-  {
-    index[level] = BoxIndex(std::move(boxesOfLevel[level]));
-  }
+  const BlockIndex index(hierarchy);
 
   LeafBoxes leaves;
   auto keep = [&](int level, const Box& box)
@@ -179,21 +166,21 @@ LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress)
     const Box box = hierarchy.logicalBox(block);
     VisiblePart part(box, hierarchy.cellWidth[block.level]);
     earlier.clear();
-    index[block.level].forEachIntersecting(box,
+    index.boxes[block.level].forEachIntersecting(box,
       [&](int i)
       {
-        if (rank[block.level][i] < static_cast<int>(b))
+        if (index.blocks[block.level][i] < static_cast<int>(b))
         {
-          earlier.push_back(index[block.level].box(i));
+          earlier.push_back(index.boxes[block.level].box(i));
         }
       });
     if (!earlier.empty())
     {
       part.giveWayTo(earlier);
     }
-    for (int finer = block.level + 1; finer < levels; ++finer)
+    for (int finer = block.level + 1; finer < hierarchy.levels(); ++finer)
     {
-      part.cover(index[finer]);
+      part.cover(index.boxes[finer]);
     }
     for (const Box& whole : part.whole())
     {

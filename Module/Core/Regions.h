@@ -20,8 +20,8 @@ struct RegionTree
 };
 
 /// Splitting stops at lists of this many bricks. A brick too many in a list weighs 0 and saves
-/// regions, but costs at each sample: of 1 to 6, 1 and 2 drew fastest, and 1 skips best
-/// (Testing/Benchmarks).
+/// regions, but costs at each sample: of 1 to 6, 1 and 2 drew fastest (a shell of 3.2 M
+/// cells, on lavapipe), and 1 skips best.
 constexpr int DefaultBricksPerRegion = 1;
 
 /// The support of a brick is its box grown by half its own cell. Regions are cut at the faces of

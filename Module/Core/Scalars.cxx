@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Scalars.h"
 
-#include "Core/BoxIndex.h"
+#include "Core/BlockIndex.h"
 
 #include <atomic>
 #include <cmath>
@@ -28,20 +28,8 @@ public:
   BrickReader(const Hierarchy& hierarchy, const CellSource& source)
     : Grid(hierarchy)
     , Source(source)
-    , Index(hierarchy.levels())
-    , BlockOf(hierarchy.levels())
+    , Index(hierarchy)
   {
-    std::vector<std::vector<Box>> boxes(hierarchy.levels());
-    for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
-    {
-      const Block& block = hierarchy.blocks[b];
-      boxes[block.level].push_back(hierarchy.logicalBox(block));
-      this->BlockOf[block.level].push_back(static_cast<int>(b));
-    }
-    for (int level = 0; level < hierarchy.levels(); ++level)
-    {
-      this->Index[level] = BoxIndex(std::move(boxes[level]));
-    }
   }
 
   struct Scratch
@@ -67,7 +55,8 @@ public:
     {
       // In the order of the blocks, so that of blocks that overlap the same one wins in all bricks.
       scratch.blocks.clear();
-      this->Index[level].forEachIntersecting(box, [&](int i) { scratch.blocks.push_back(i); });
+      this->Index.boxes[level].forEachIntersecting(
+        box, [&](int i) { scratch.blocks.push_back(i); });
       std::sort(scratch.blocks.begin(), scratch.blocks.end());
       for (const int i : scratch.blocks)
       {
@@ -80,10 +69,10 @@ private:
   // Returns how many of the brick's cells had no value before.
   std::size_t ReadPart(const Brick& brick, const Box& box, int level, int i, Scratch& scratch) const
   {
-    const int block = this->BlockOf[level][i];
+    const int block = this->Index.blocks[level][i];
     const std::int64_t fine = this->Grid.cellWidth[brick.level];
     const std::int64_t coarse = this->Grid.cellWidth[level];
-    const Box common = intersection(box, this->Index[level].box(i));
+    const Box common = intersection(box, this->Index.boxes[level].box(i));
     const Box target = outwardToCells(common, fine);  // cells of the brick
     const Box cells = outwardToCells(common, coarse); // cells of the block
     const Int3 size = cells.size();
@@ -91,10 +80,8 @@ private:
     const Int3 first = box.lo / fine;
     const unsigned char real = static_cast<unsigned char>(2 * level + 2);
 
-    const bool untouched =
-      std::all_of(scratch.rank.begin(), scratch.rank.end(), [](unsigned char r) { return r == 0; });
-    if (level == brick.level && n == scratch.values.size() && untouched &&
-      !this->Source.hasDuplicates(block))
+    if (level == brick.level && n == scratch.values.size() && !this->Source.hasDuplicates(block) &&
+      std::all_of(scratch.rank.begin(), scratch.rank.end(), [](unsigned char r) { return r == 0; }))
     {
       this->Source.read(block, cells, scratch.values.data());
       std::fill(scratch.rank.begin(), scratch.rank.end(), real);
@@ -139,8 +126,7 @@ private:
 
   const Hierarchy& Grid;
   const CellSource& Source;
-  std::vector<BoxIndex> Index;           // [level], logical boxes of its blocks
-  std::vector<std::vector<int>> BlockOf; // [level][box], index into Hierarchy::blocks
+  const BlockIndex Index;
 };
 
 // With fewer cells than this, starting the threads takes longer than the work.
