@@ -92,6 +92,7 @@ void judge(std::vector<Method>& methods, const reference::Image& oracle, const s
     if (method.hasOpacity)
     {
       method.decibelRGBA = reference::psnr(image, oracle);
+      method.decibelDrawn = reference::psnrOfDrawn(image, oracle);
     }
     if (!prefix.empty())
     {

@@ -26,6 +26,7 @@ struct Method
   Costs costs;
   std::vector<double> marches;
   double decibelRGBA = std::numeric_limits<double>::quiet_NaN();
+  double decibelDrawn = std::numeric_limits<double>::quiet_NaN(); // of drawn pixels, RGBA
   double decibelRGB = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -113,7 +113,7 @@ View Subject::makeView(const std::array<int, 2>& size, double stepScale) const
   return view;
 }
 
-reference::Image Subject::renderOracle(const std::array<int, 2>& size, double step) const
+reference::Image Subject::renderOracle(const std::array<int, 2>& size, double& error) const
 {
   const AMRInput input = readAMR(this->AMR);
   AMRCellSource source(input, this->Component);
@@ -136,9 +136,8 @@ reference::Image Subject::renderOracle(const std::array<int, 2>& size, double st
   view.height = size[1];
   reference::Oracle::Settings settings;
   settings.opacityUnitDistance = mapped.opacityUnitDistance;
-  settings.step = step;
   return oracle.render(
-    view, makeTransferFunction(this->property(), this->Contents->Scalars.range), settings);
+    view, makeTransferFunction(this->property(), this->Contents->Scalars.range), settings, error);
 }
 
 void Subject::measureBuilds(

@@ -35,7 +35,6 @@ struct Request
   std::string pictures; // prefix of the pictures' names
   std::vector<double> stepScales{ 1.0, 0.25 };
   int rounds = 7;
-  double oracleStep = 1.0 / 32.0;
   bool peers = false;
 };
 
@@ -59,7 +58,8 @@ public:
 
   /// Of the camera as it stands.
   View makeView(const std::array<int, 2>& size, double stepScale) const;
-  reference::Image renderOracle(const std::array<int, 2>& size, double step) const;
+  /// `error`: estimate of its greatest one.
+  reference::Image renderOracle(const std::array<int, 2>& size, double& error) const;
 
   /// Seconds of building all anew from the AMR, several times: structure, scalars.
   void measureBuilds(

@@ -185,7 +185,7 @@ TEST(Reconstruction, ReturnsAConstantExactlyAcrossLevels)
   Scene scene = mixedRatios();
   scene.cells = fillCells(scene.hierarchy, [](int, const Int3&) { return 0.75; });
   const Built built = build(scene);
-  const Oracle oracle(built.hierarchy(), built.leaves, built.scene.cells, { 0.0, 1.0 });
+  const Oracle oracle(built.hierarchy(), built.leaves, built.scene.cells, Range{ 0.0, 1.0 });
   std::mt19937 random(1);
   for (const layout::Region& region : built.tree.regions)
   {
