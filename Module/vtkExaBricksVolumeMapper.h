@@ -70,9 +70,11 @@ public:
 
   ///@{
   /**
-   * Length of a step, in cells of the finest level that reaches the region that the ray is in.
-   * Default 1. The error falls with its square, the time grows with its inverse. Has no effect on
-   * the nearest reconstruction, which takes one interval for each cell and is exact.
+   * Greatest distance between two samples of the field on a ray, in cells of the finest level that
+   * reaches the region that the ray is in. Default 1. Between samples, every value that the field
+   * passes counts, however narrow the transfer function's spikes are; the error falls with the
+   * square of the step, the time grows with its inverse. Has no effect on the nearest
+   * reconstruction, which takes one interval for each cell and is exact.
    */
   vtkSetClampMacro(StepScale, double, 0.001, 1000.0);
   vtkGetMacro(StepScale, double);

@@ -12,7 +12,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Reg
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices { uint items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdNodes { KdNode items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Values { float items[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer TransferBins { TransferBin items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferBins { TransferBin items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 

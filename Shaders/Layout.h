@@ -19,6 +19,7 @@ namespace layout
 {
 using glm::dmat4;
 using glm::ivec3;
+using glm::ivec4;
 using glm::vec4;
 using uint = std::uint32_t;
 using uint64_t = std::uint64_t;
@@ -59,18 +60,31 @@ struct KdNode
 EXABRICKS_CONST uint KD_LEAF = 3u;
 EXABRICKS_CONST uint KD_NO_REGION = (1u << 30) - 1u; // a leaf with nothing to draw
 
-// The transfer function, piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin
-// without a control point inside is the line between its ends. One with control points inside
-// names, in lower.a = -(1 + first), the first knot to its left; knots are searched from there.
+// The transfer function as extinction, -ln(1 - opacity of the unit distance), times red, green,
+// blue, 1: piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin without a control
+// point inside is the line between its ends. One with control points inside names, in
+// lower.a = -(1 + first), its first knot, which stands at its lower end; the others are the control
+// points inside, and its upper end.
+//
+// Beside them the integral over values, from 0 to the bin's lower end or to the knot, in units of
+// Frame.integralUnit: as integers, so that differences of close ones are exact. And of the part from
+// there on: 2 * (number of parts of opacity 1 before it) + (1 if it is one).
 EXABRICKS_CONST int TRANSFER_BINS = 1024;
+EXABRICKS_CONST float OPAQUE = 1e30f; // extinction of parts of opacity 1, ...
+EXABRICKS_CONST float DENSEST = 16.635532f; // ... and in integrals: of an opacity of 1 - 2^-24
 struct TransferBin
 {
-  vec4 lower; // red, green, blue, opacity
+  vec4 lower;
   vec4 upper;
+  ivec4 integral;
+  int opaque;
 };
 struct TransferKnot
 {
-  vec4 color; // red, green, blue, opacity
+  vec4 lower; // at its value, and at that of the next knot: they differ at jumps
+  vec4 upper;
+  ivec4 integral;
+  int opaque;
   float value;
 };
 
@@ -85,6 +99,7 @@ struct Frame
   float stepScale;          // step in finest cells of the region
   float inverseUnit;        // 1 / scalar opacity unit distance, 1 / world length
   float terminationOpacity; // a ray ends at this opacity
+  float integralUnit;       // of the transfer function's integrals
   uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
   uint64_t bricks;          // device addresses of Brick[], Region[], uint[], KdNode[], ...
   uint64_t regions;
@@ -109,8 +124,8 @@ struct Band
 static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
-static_assert(sizeof(TransferBin) == 32, "as in GLSL's scalar layout");
-static_assert(sizeof(TransferKnot) == 20, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferBin) == 52, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(sizeof(Frame) == 376, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks

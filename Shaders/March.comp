@@ -23,6 +23,8 @@ TransferBins transferBins;
 TransferKnots transferKnots;
 float stepScale;
 float inverseUnit;
+float integralUnit;
+float inverseIntegralUnit;
 float terminationOpacity;
 layout(constant_id = 0) const bool nearest = false;
 
@@ -34,10 +36,15 @@ struct March
   uint otherCount;
   float entry;    // distance at which the next interval begins (nearest), or the first one (basis)
   float exit;     // distance at which the ray leaves the region
-  float interval; // length of an interval (basis): a whole number of them fills the region
-  float next;     // number of the next one (basis)
   uint intervals; // number still to do; nearest: 0 or 1
   vec4 color;     // premultiplied
+
+  // Basis
+  float interval;     // length of an interval: a whole number of them fills the region
+  float next;         // number of the next one's end; 0: the first one's begin
+  bool halved;        // by a sample in its middle
+  TransferPoint last; // of the last sample
+  bool there;         // it has a value
 };
 
 void enterRegion(uint r, float entry, float exit, inout March march)
@@ -46,62 +53,130 @@ void enterRegion(uint r, float entry, float exit, inout March march)
   march.brick = bricks.items[brickLists.items[region.firstBrick]];
   march.otherBricks = region.firstBrick + 1;
   march.otherCount = region.brickCount - 1;
-  march.entry = entry;
-  march.exit = exit;
   march.intervals = 1;
   if (!nearest)
   {
-    // Equal intervals, as near to stepScale cells of the finest brick as fits.
+    // Samples at most stepScale cells of the finest brick apart, two to an interval, unless one
+    // alone does for the region.
     int width = march.brick.width;
     for (uint k = 0; k < march.otherCount; ++k)
     {
       width = min(width, bricks.items[brickLists.items[march.otherBricks + k]].width);
     }
-    const float step = 2.0 * stepScale * float(width);
-    const float count = max(ceil((exit - entry) / step), 1.0);
+    const float samples = (exit - entry) / (2.0 * stepScale * float(width));
+    const float count = max(ceil(0.5 * samples), 1.0);
     march.interval = (exit - entry) / count;
-    march.intervals = uint(count);
-    march.next = 0.0;
+    march.halved = samples > 1.0;
+    // The field is continuous: the last sample of the region before is the first of this one.
+    march.next = march.exit == entry ? 1.0 : 0.0;
+    march.intervals = uint(count - march.next) + 1;
+  }
+  march.entry = entry;
+  march.exit = exit;
+}
+
+// Nearest: the value does not change up to the next face of a cell.
+void marchCell(Ray ray, inout March march)
+{
+  float value;
+  const float begin = march.entry;
+  march.entry = march.exit;
+  const bool there = sampleNearest(bricks, brickLists, march.brick, march.otherBricks,
+    march.otherCount, ray, begin, march.entry, value);
+  march.intervals = march.entry < march.exit ? 1 : 0;
+  if (there)
+  {
+    const TransferPart part = findPart(transferBins, transferKnots, value);
+    march.color += (1.0 - march.color.a) *
+      absorb(mix(part.lower, part.upper, part.share),
+        (march.entry - begin) * ray.worldPerHalfCell * inverseUnit);
   }
 }
 
-// The next interval's value and length. False: nothing to draw in it.
-bool sampleInterval(Ray ray, inout March march, out float value, out float interval)
+// From the last value, at `begin`, to the next one, at `end`. Where one of the two is missing, the
+// other counts up to the face of the absent cell.
+void goTo(float value, bool there, Ray ray, float begin, float end, inout March march)
+{
+  value = there ? value : march.last.value;
+  const TransferPart part = findPart(transferBins, transferKnots, value);
+  const TransferPoint point = makePoint(part, value, inverseIntegralUnit);
+  if (end > begin && (there || march.there))
+  {
+    float length = end - begin;
+    if (there != march.there)
+    {
+      const float present = there ? end : begin;
+      length = abs(present - findAbsent(bricks, brickLists, march.brick, march.otherBricks,
+        march.otherCount, ray, present, there ? begin : end));
+    }
+    if (!march.there)
+    {
+      march.last = point;
+    }
+    march.color += (1.0 - march.color.a) *
+      absorb(meanBetween(march.last, point, part, integralUnit),
+        length * ray.worldPerHalfCell * inverseUnit);
+  }
+  march.last = point;
+  march.there = there;
+}
+
+// Basis: the next interval, over which the value goes evenly from the last sample to the one in the
+// middle and on to the next.
+void marchInterval(Ray ray, inout March march)
+{
+  const float end = march.entry + march.next * march.interval;
+  const bool halved = march.next > 0.0 && march.halved;
+  const float length = march.next > 0.0 ? (halved ? 0.5 : 1.0) * march.interval : 0.0;
+  float at = halved ? end - length : end;
+  float middle = 0.0;
+  float value = 0.0;
+  bool middleThere = false;
+  bool there = false;
+  for (;;)
+  {
+    middle = value;
+    middleThere = there;
+    there = sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
+      at, value);
+    if (at >= end)
+    {
+      break;
+    }
+    at = end;
+  }
+  if (halved && march.there && middleThere && there)
+  {
+    // The middle that gives both halves the mean of the parabola through all three (Simpson's rule);
+    // but no value that lies beyond them, which the field may not take.
+    const float last = march.last.value;
+    middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
+      max(middle, max(last, value)));
+  }
+  at = halved ? end - length : end;
+  for (;;)
+  {
+    const bool isEnd = at >= end;
+    goTo(isEnd ? value : middle, isEnd ? there : middleThere, ray, at - length, at, march);
+    if (isEnd)
+    {
+      break;
+    }
+    at = end;
+  }
+  march.next += 1.0;
+  --march.intervals;
+}
+
+void marchOn(Ray ray, inout March march)
 {
   if (nearest)
   {
-    const float begin = march.entry;
-    march.entry = march.exit;
-    const bool there = sampleNearest(bricks, brickLists, march.brick, march.otherBricks,
-      march.otherCount, ray, begin, march.entry, value);
-    interval = march.entry - begin;
-    march.intervals = march.entry < march.exit ? 1 : 0;
-    return there;
+    marchCell(ray, march);
   }
-  const float middle = march.entry + (march.next + 0.5) * march.interval;
-  march.next += 1.0;
-  --march.intervals;
-  interval = march.interval;
-  return sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
-    middle, value);
-}
-
-// One interval, its opacity corrected for its length in the world.
-void marchInterval(Ray ray, inout March march)
-{
-  float value;
-  float interval;
-  if (!sampleInterval(ray, march, value, interval))
+  else
   {
-    return;
-  }
-  const vec4 color = transfer(transferBins, transferKnots, value);
-  if (color.a > 0.0)
-  {
-    // An opaque value is opaque at any length.
-    const float units = interval * ray.worldPerHalfCell * inverseUnit;
-    const float alpha = color.a >= 1.0 ? 1.0 : 1.0 - exp2(log2(1.0 - color.a) * units);
-    march.color += (1.0 - march.color.a) * alpha * vec4(color.rgb, 1.0);
+    marchInterval(ray, march);
   }
 }
 
@@ -163,6 +238,7 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
           return;
         }
         exit = ray.begin;
+        march.exit = -1.0; // distances count anew
         pending.nodes = uvec4(0);
       }
       const float entry = exit;
@@ -176,7 +252,7 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
     {
       return;
     }
-    marchInterval(ray, march);
+    marchOn(ray, march);
     if (march.color.a >= terminationOpacity)
     {
       return;
@@ -218,6 +294,7 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
         return;
       }
       distance = ray.begin;
+      march.exit = -1.0; // distances count anew
     }
     float entry[NEAREST];
     uint region[NEAREST];
@@ -274,7 +351,7 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       enterRegion(region[k], cross.x, cross.y, march);
       while (march.intervals > 0)
       {
-        marchInterval(ray, march);
+        marchOn(ray, march);
         if (march.color.a >= terminationOpacity)
         {
           return;
@@ -305,9 +382,14 @@ void main()
   transferKnots = TransferKnots(f.frame.transferKnots);
   stepScale = f.frame.stepScale;
   inverseUnit = f.frame.inverseUnit;
+  integralUnit = f.frame.integralUnit;
+  inverseIntegralUnit = 1.0 / integralUnit;
   terminationOpacity = f.frame.terminationOpacity;
   March state;
   state.intervals = 0;
+  state.exit = -1.0;
+  state.last.value = 0.0;
+  state.there = false;
   state.color = vec4(0.0);
   Ray ray;
   if (makeRay(f, pixel, 0.0LF, ray))

@@ -88,6 +88,25 @@ bool sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint cou
   return weight > 0.0 && !absent;
 }
 
+// Where the first absent cell begins on the way between two distances, of which the second is in one.
+float findAbsent(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
+  float present, float absent)
+{
+  for (int halving = 0; halving < 12; ++halving)
+  {
+    const float middle = 0.5 * (present + absent);
+    bool inside = inAbsentCell(brick, toCells(brick, ray, middle));
+    for (uint k = 0; k < count && !inside; ++k)
+    {
+      const Brick other = bricks.items[list.items[others + k]];
+      inside = inAbsentCell(other, toCells(other, ray, middle));
+    }
+    present = inside ? present : middle;
+    absent = inside ? middle : absent;
+  }
+  return absent;
+}
+
 // Positions are exact to about 1e-4 half cells, or some units in the last place of the distance where
 // that is more: this far behind a face, a point is in the next cell.
 float behindFace(float distance)

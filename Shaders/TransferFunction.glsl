@@ -1,21 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour and opacity (of the unit distance) of a normalised value, exact at the control points.
+// Extinction (of the unit distance, times red, green, blue, 1) of a normalised value; and its mean
+// over all values between two, so that an interval misses nothing that the field passes on its way.
 
-vec4 transfer(TransferBins bins, TransferKnots knots, float value)
+// The straight part of the function that a value is in.
+struct TransferPart
+{
+  int number; // bins first, then the parts between knots
+  float share; // of the value on the way from its lower to its upper end
+  float width; // in values
+  vec4 lower; // extinction at its ends
+  vec4 upper;
+  ivec4 integral; // up to its lower end
+  int opaque;
+};
+
+TransferPart findPart(TransferBins bins, TransferKnots knots, float value)
 {
   const float x = clamp(value, 0.0, 1.0) * float(TRANSFER_BINS);
   const int i = min(int(x), TRANSFER_BINS - 1);
   const TransferBin bin = bins.items[i];
   if (bin.lower.a >= 0.0)
   {
-    return mix(bin.lower, bin.upper, x - float(i));
+    return TransferPart(i, x - float(i), 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,
+      bin.integral, bin.opaque);
   }
-  int knot = int(-1.0 - bin.lower.a);
-  while (knots.items[knot + 1].value <= value)
+  int k = int(-1.0 - bin.lower.a);
+  while (knots.items[k + 1].value <= value)
   {
-    ++knot;
+    ++k;
   }
-  const TransferKnot a = knots.items[knot];
-  const TransferKnot b = knots.items[knot + 1];
-  return mix(a.color, b.color, (value - a.value) / (b.value - a.value));
+  const TransferKnot knot = knots.items[k];
+  const float width = knots.items[k + 1].value - knot.value;
+  return TransferPart(TRANSFER_BINS + k, (value - knot.value) / width, width, knot.lower,
+    knot.upper, knot.integral, knot.opaque);
+}
+
+// What has to be kept of a value, to find the mean to the next one.
+struct TransferPoint
+{
+  float value;
+  int number;
+  float share;
+  ivec4 integral; // from 0 to the value
+  int opaque;
+};
+
+TransferPoint makePoint(TransferPart part, float value, float inverseIntegralUnit)
+{
+  const vec4 inside = mix(part.lower, part.upper, 0.5 * part.share) *
+    ((part.opaque & 1) != 0 ? DENSEST / OPAQUE : 1.0);
+  return TransferPoint(value, part.number, part.share,
+    part.integral + ivec4(inside * (part.share * part.width * inverseIntegralUnit)), part.opaque);
+}
+
+// Mean extinction over the values between two points. `part`: of the second one.
+vec4 meanBetween(TransferPoint from, TransferPoint to, TransferPart part, float integralUnit)
+{
+  const float way = to.value - from.value;
+  if (from.number == to.number || abs(way) < 1e-5)
+  {
+    return mix(part.lower, part.upper,
+      from.number == to.number ? 0.5 * (from.share + to.share) : to.share);
+  }
+  const vec4 mean = vec4(to.integral - from.integral) * (integralUnit / way);
+  // Whatever opaque part is passed on the way is opaque at any length.
+  const bool opaque = from.opaque != to.opaque || (from.opaque & 1) != 0;
+  return opaque ? mean * (OPAQUE / mean.a) : mean;
+}
+
+// Colour, times opacity, and opacity of a length of the ray in unit distances.
+vec4 absorb(vec4 extinction, float units)
+{
+  const float depth = extinction.a * units;
+  // 1 - exp(-depth), without the loss of digits where it is small.
+  const float alpha =
+    depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : 1.0 - exp(-depth);
+  return extinction.a > 0.0 ? extinction * (alpha / extinction.a) : vec4(0.0);
 }

@@ -76,40 +76,4 @@ bool TransferFunction::showsTheSame(const TransferFunction& other) const
   return this->Transparent == other.Transparent;
 }
 
-std::vector<layout::TransferKnot> TransferFunction::makeKnots() const
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<layout::TransferKnot> knots;
-  knots.reserve(this->Points.size() + 2);
-  // Guards at both ends, so that a search from any bin ends.
-  knots.push_back({ glm::vec4(this->evaluate(-infinity)), -1.0f });
-  for (const Point& point : this->Points)
-  {
-    knots.push_back({ glm::vec4(point.color), static_cast<float>(point.value) });
-  }
-  knots.push_back({ glm::vec4(this->evaluate(infinity)), 3.0f });
-  return knots;
-}
-
-std::vector<layout::TransferBin> TransferFunction::makeBins() const
-{
-  std::vector<layout::TransferBin> bins(layout::TRANSFER_BINS);
-  for (int i = 0; i < layout::TRANSFER_BINS; ++i)
-  {
-    // Compared as floats, as the device does.
-    const float lo = static_cast<float>(i) / layout::TRANSFER_BINS;
-    const float hi = static_cast<float>(i + 1) / layout::TRANSFER_BINS;
-    const auto inside = std::find_if(this->Points.begin(), this->Points.end(),
-      [&](const Point& p)
-      { return static_cast<float>(p.value) >= lo && static_cast<float>(p.value) <= hi; });
-    bins[i].lower = glm::vec4(this->evaluate(lo));
-    bins[i].upper = glm::vec4(this->evaluate(hi));
-    if (inside != this->Points.end())
-    {
-      // the guard comes before point 0: knot number (index of the point) is the one to its left
-      bins[i].lower.a = -1.0f - static_cast<float>(inside - this->Points.begin());
-    }
-  }
-  return bins;
-}
 }

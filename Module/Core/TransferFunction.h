@@ -35,10 +35,6 @@ public:
   /// points themselves.
   bool visible(const ValueRange& range) const;
 
-  /// The device's form of it (see Layout.h).
-  std::vector<layout::TransferBin> makeBins() const;
-  std::vector<layout::TransferKnot> makeKnots() const;
-
   /// Shows the same values as the other: the active regions can be kept.
   bool showsTheSame(const TransferFunction& other) const;
 

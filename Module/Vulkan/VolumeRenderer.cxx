@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/VolumeRenderer.h"
 
+#include "Core/TransferTable.h"
 #include "Vulkan/AccelerationStructure.h"
 #include "Vulkan/Faults.h"
 #include "Vulkan/MarchPass.h"
@@ -43,6 +44,7 @@ struct VolumeRenderer::Internals
   vulkan::Buffer BrickLists;
   vulkan::Buffer Bins;
   vulkan::Buffer Knots;
+  float IntegralUnit = 1.0f;
   vulkan::Buffer Nodes;
   vulkan::Buffer ActiveList;
   vulkan::AccelerationStructure Scene;
@@ -174,10 +176,10 @@ struct VolumeRenderer::Internals
       return;
     }
     const Stopwatch watch;
-    this->Bins =
-      vulkan::makeBuffer(this->Device, this->Transfer.makeBins(), "the transfer function");
-    this->Knots =
-      vulkan::makeBuffer(this->Device, this->Transfer.makeKnots(), "the transfer function");
+    const TransferTable table(this->Transfer);
+    this->Bins = vulkan::makeBuffer(this->Device, table.bins, "the transfer function");
+    this->Knots = vulkan::makeBuffer(this->Device, table.knots, "the transfer function");
+    this->IntegralUnit = table.integralUnit;
     this->ColorsReady = true;
     this->Figures.colorTime = watch.seconds();
   }
@@ -269,6 +271,7 @@ struct VolumeRenderer::Internals
     frame.activeRegions = this->ActiveList.address();
     frame.transferBins = this->Bins.address();
     frame.transferKnots = this->Knots.address();
+    frame.integralUnit = this->IntegralUnit;
     frame.scene = this->Scene.address();
     this->Pass->run(frame, view, picture);
     this->Figures.marchTime = watch.seconds();

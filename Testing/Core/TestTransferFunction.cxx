@@ -15,37 +15,6 @@ TransferFunction::Point gray(double value, double opacity)
   return { value, glm::dvec4(value, value, value, opacity) };
 }
 
-// As the shader looks it up, in single precision.
-glm::vec4 lookUp(const std::vector<layout::TransferBin>& bins,
-  const std::vector<layout::TransferKnot>& knots, float value)
-{
-  const float x = std::min(std::max(value, 0.0f), 1.0f) * layout::TRANSFER_BINS;
-  const int i = std::min(static_cast<int>(x), layout::TRANSFER_BINS - 1);
-  const layout::TransferBin& bin = bins[i];
-  if (bin.lower.a >= 0.0f)
-  {
-    return bin.lower + (bin.upper - bin.lower) * (x - static_cast<float>(i));
-  }
-  int knot = static_cast<int>(-1.0f - bin.lower.a);
-  while (knots[knot + 1].value <= value)
-  {
-    ++knot;
-  }
-  const layout::TransferKnot& a = knots[knot];
-  const layout::TransferKnot& b = knots[knot + 1];
-  return a.color + (b.color - a.color) * ((value - a.value) / (b.value - a.value));
-}
-
-void expectSame(const TransferFunction& transfer, float value)
-{
-  const glm::dvec4 exact = transfer.evaluate(value);
-  const glm::vec4 found = lookUp(transfer.makeBins(), transfer.makeKnots(), value);
-  for (int i = 0; i < 4; ++i)
-  {
-    EXPECT_NEAR(found[i], exact[i], 1e-6) << "at " << value;
-  }
-}
-
 // Points on multiples of 2^-12, so that floats hold them, with flat parts of no opacity and jumps.
 TransferFunction makeRandom(std::uint32_t seed)
 {
@@ -109,7 +78,6 @@ TEST(TransferFunction, WithoutPointsShowsNothing)
   {
     EXPECT_EQ(transfer.evaluate(0.5).a, 0.0);
     EXPECT_FALSE(transfer.visible({ 0.0f, 1.0f }));
-    EXPECT_EQ(lookUp(transfer.makeBins(), transfer.makeKnots(), 0.5f).a, 0.0f);
   }
 }
 
@@ -182,47 +150,6 @@ TEST(TransferFunction, SeesARangeIfAndOnlyIfSomeValueInItHasOpacity)
       }
       ASSERT_TRUE(point || !transfer.visible(range)) << "seed " << seed << ": " << a << ", " << b;
     }
-  }
-}
-
-TEST(TransferFunction, OfTheDeviceIsTheSame)
-{
-  for (std::uint32_t seed = 0; seed < 300; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const TransferFunction transfer = makeRandom(seed);
-    const auto bins = transfer.makeBins();
-    const auto knots = transfer.makeKnots();
-    std::mt19937 random(seed);
-    for (int i = 0; i < 500; ++i)
-    {
-      const float value = static_cast<float>(random()) / 4294967296.0f;
-      const glm::dvec4 exact = transfer.evaluate(value);
-      const glm::vec4 found = lookUp(bins, knots, value);
-      for (int k = 0; k < 4; ++k)
-      {
-        ASSERT_NEAR(found[k], exact[k], 1e-6) << "at " << value;
-      }
-    }
-    for (const TransferFunction::Point& point : transfer.points())
-    {
-      if (point.value >= 0.0 && point.value <= 1.0)
-      {
-        expectSame(transfer, static_cast<float>(point.value));
-      }
-    }
-    expectSame(transfer, 0.0f);
-    expectSame(transfer, 1.0f);
-  }
-}
-
-TEST(TransferFunction, OfTheDeviceFollowsPointsFarOutside)
-{
-  const TransferFunction transfer(
-    { gray(-9.0, 0.0), gray(-5.0, 1.0), gray(0.5, 0.25), gray(40.0, 0.0) });
-  for (int i = 0; i <= 100; ++i)
-  {
-    expectSame(transfer, static_cast<float>(i) / 100.0f);
   }
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The device's form of a transfer function: exact colours at any value, and integrals over values
+// (see Layout.h), so that an interval of a ray sees all that lies between the values at its ends.
+#ifndef ExaBricksCoreTransferTable_h
+#define ExaBricksCoreTransferTable_h
+
+#include "Core/TransferFunction.h"
+
+namespace exabricks
+{
+struct TransferTable
+{
+  explicit TransferTable(const TransferFunction& transfer);
+
+  std::vector<layout::TransferBin> bins;
+  std::vector<layout::TransferKnot> knots;
+  float integralUnit = 1.0f; // of the integrals in bins and knots
+};
+}
+
+#endif
