@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accuracy/Charts.h"
+
+#include "vtkAxis.h"
+#include "vtkChartLegend.h"
+#include "vtkChartXY.h"
+#include "vtkContextScene.h"
+#include "vtkContextView.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageChangeInformation.h"
+#include "vtkImageConstantPad.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPen.h"
+#include "vtkPlotLine.h"
+#include "vtkRenderWindow.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace exabricks
+{
+namespace accuracy
+{
+namespace
+{
+constexpr int Width = 1500;
+constexpr int Height = 900;
+constexpr int Frame = 20;
+constexpr int FontSize = 24;
+
+struct Look
+{
+  std::array<unsigned char, 3> color;
+  int marker;
+};
+const Look looks[] = { { { 0, 0, 0 }, vtkPlotPoints::CIRCLE },
+  { { 213, 94, 0 }, vtkPlotPoints::SQUARE }, { { 0, 114, 178 }, vtkPlotPoints::DIAMOND },
+  { { 230, 159, 0 }, vtkPlotPoints::CROSS }, { { 0, 158, 115 }, vtkPlotPoints::PLUS },
+  { { 86, 180, 233 }, vtkPlotPoints::CIRCLE }, { { 204, 121, 167 }, vtkPlotPoints::SQUARE } };
+
+const int dashes[] = { vtkPen::DASH_LINE, vtkPen::DOT_LINE, vtkPen::DASH_DOT_LINE,
+  vtkPen::SOLID_LINE };
+
+struct Extent
+{
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+
+  void add(double value)
+  {
+    this->min = std::min(this->min, value);
+    this->max = std::max(this->max, value);
+  }
+};
+
+// Logarithms are taken here and the axes told their ticks: VTK's own logarithmic axes changed from
+// version to version.
+double onAxis(const Axis& axis, double value)
+{
+  return axis.logarithmic ? std::log10(value) : value;
+}
+
+bool canBeDrawn(const Chart& chart, const std::pair<double, double>& point)
+{
+  const double x = onAxis(chart.x, point.first);
+  const double y = onAxis(chart.y, point.second);
+  return std::isfinite(x) && std::isfinite(y);
+}
+
+std::string label(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+using Ticks = std::vector<std::pair<double, std::string>>;
+
+// 1, 2, 5 in each decade, or of long axes 1 alone.
+Ticks logarithmicTicks(const Extent& extent)
+{
+  Ticks ticks;
+  const bool isLong = extent.max - extent.min > 2.0;
+  for (int decade = static_cast<int>(std::floor(extent.min)); decade <= extent.max; ++decade)
+  {
+    for (const int digit : { 1, 2, 5 })
+    {
+      const double value = digit * std::pow(10.0, decade);
+      if ((digit == 1 || !isLong) && std::log10(value) >= extent.min - 1e-9 &&
+        std::log10(value) <= extent.max + 1e-9)
+      {
+        ticks.emplace_back(value, label(value));
+      }
+    }
+  }
+  return ticks;
+}
+
+Ticks linearTicks(const Extent& extent)
+{
+  const double rough = (extent.max - extent.min) / 8.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  const double step = decade * (rough < 2.0 * decade ? 2.0 : rough < 5.0 * decade ? 5.0 : 10.0);
+  Ticks ticks;
+  for (double n = std::ceil(extent.min / step); n * step <= extent.max + 1e-9 * step; n += 1.0)
+  {
+    ticks.emplace_back(n * step, label(n * step));
+  }
+  return ticks;
+}
+
+void setAxis(vtkAxis* to, const Axis& axis, Extent extent)
+{
+  if (!(extent.max > extent.min))
+  {
+    extent = { extent.min - 0.5, extent.min + 0.5 };
+  }
+  const double margin = 0.05 * (extent.max - extent.min);
+  extent = { extent.min - margin, extent.max + margin };
+  const Ticks ticks = !axis.ticks.empty() ? axis.ticks
+    : axis.logarithmic                    ? logarithmicTicks(extent)
+                                          : linearTicks(extent);
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (const auto& tick : ticks)
+  {
+    positions->InsertNextValue(onAxis(axis, tick.first));
+    labels->InsertNextValue(tick.second);
+  }
+  to->SetBehavior(vtkAxis::FIXED);
+  to->SetRange(extent.min, extent.max);
+  to->SetCustomTickPositions(positions, labels);
+  to->SetTitle(axis.title);
+  to->GetTitleProperties()->SetFontSize(FontSize);
+  to->GetTitleProperties()->BoldOff();
+  to->GetLabelProperties()->SetFontSize(FontSize - 2);
+  to->GetGridPen()->SetColor(220, 220, 220, 255);
+}
+
+vtkNew<vtkTable> makeTable(const Chart& chart, const Series& series)
+{
+  vtkNew<vtkTable> table;
+  vtkNew<vtkDoubleArray> x;
+  vtkNew<vtkDoubleArray> y;
+  x->SetName("x");
+  y->SetName(series.name.c_str());
+  for (const auto& point : series.points)
+  {
+    if (canBeDrawn(chart, point))
+    {
+      x->InsertNextValue(onAxis(chart.x, point.first));
+      y->InsertNextValue(onAxis(chart.y, point.second));
+    }
+  }
+  table->AddColumn(x);
+  table->AddColumn(y);
+  return table;
+}
+}
+
+Series orderGuide(const Series& beside, double order, double factor)
+{
+  Series guide;
+  guide.name = "order " + label(order);
+  guide.style = Series::Style::Guide;
+  const auto& last = beside.points.back();
+  for (const double x : { beside.points.front().first, last.first })
+  {
+    guide.points.emplace_back(x, factor * last.second * std::pow(x / last.first, order));
+  }
+  return guide;
+}
+
+void addOrderGuides(Chart& chart)
+{
+  const auto below = [](const Series& a, const Series& b)
+  { return a.points.back().second < b.points.back().second; };
+  const auto ends = std::minmax_element(chart.series.begin(), chart.series.end(), below);
+  const Series lowest = *ends.first;
+  const Series highest = *ends.second;
+  chart.series.push_back(orderGuide(highest, 1.0, 1.5));
+  chart.series.push_back(orderGuide(lowest, 2.0, 0.6));
+}
+
+bool drawChart(const Chart& chart, const std::string& file)
+{
+  vtkNew<vtkContextView> view;
+  view->GetRenderWindow()->SetOffScreenRendering(1);
+  view->GetRenderWindow()->SetMultiSamples(8);
+  view->GetRenderWindow()->SetSize(Width, Height);
+  vtkNew<vtkChartXY> xy;
+  view->GetScene()->AddItem(xy);
+
+  Extent x;
+  Extent y;
+  std::size_t next = 0;
+  std::size_t guides = 0;
+  for (const Series& series : chart.series)
+  {
+    vtkNew<vtkTable> table = makeTable(chart, series);
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      x.add(table->GetValue(row, 0).ToDouble());
+      y.add(table->GetValue(row, 1).ToDouble());
+    }
+    if (table->GetNumberOfRows() == 0)
+    {
+      continue;
+    }
+    auto* line = vtkPlotLine::SafeDownCast(xy->AddPlot(vtkChart::LINE));
+    line->SetInputData(table, 0, 1);
+    if (series.style == Series::Style::Guide)
+    {
+      line->SetColor(120, 120, 120, 255);
+      line->SetWidth(2.0f);
+      line->GetPen()->SetLineType(dashes[guides++ % std::size(dashes)]);
+      continue;
+    }
+    const Look& look = looks[next % std::size(looks)];
+    line->SetColor(look.color[0], look.color[1], look.color[2], 255);
+    line->SetWidth(3.0f);
+    if (series.style == Series::Style::Measured)
+    {
+      line->SetMarkerStyle(look.marker);
+      line->SetMarkerSize(14.0f);
+    }
+    else if (next > 0)
+    {
+      line->GetPen()->SetLineType(dashes[(next - 1) % std::size(dashes)]);
+    }
+    ++next;
+  }
+
+  setAxis(xy->GetAxis(vtkAxis::BOTTOM), chart.x, x);
+  setAxis(xy->GetAxis(vtkAxis::LEFT), chart.y, y);
+  xy->SetTitle(chart.title);
+  xy->GetTitleProperties()->SetFontSize(FontSize + 4);
+  xy->SetShowLegend(true);
+  xy->GetLegend()->SetInline(false); // beside the plot
+  xy->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  xy->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  xy->GetLegend()->SetLabelSize(FontSize - 2);
+  xy->GetLegend()->GetPen()->SetOpacity(0);
+  view->GetRenderWindow()->Render(); // widths of labels are known from now on
+  view->GetRenderWindow()->Render();
+
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(view->GetRenderWindow());
+  picture->SetInputBufferTypeToRGB();
+  picture->ReadFrontBufferOff();
+  vtkNew<vtkImageConstantPad> framed;
+  framed->SetInputConnection(picture->GetOutputPort());
+  framed->SetOutputWholeExtent(-Frame, Width + Frame - 1, -Frame, Height + Frame - 1, 0, 0);
+  framed->SetConstant(255);
+  vtkNew<vtkImageChangeInformation> placed; // what is written begins at 0
+  placed->SetInputConnection(framed->GetOutputPort());
+  placed->SetOutputExtentStart(0, 0, 0);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(placed->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+}
+}
