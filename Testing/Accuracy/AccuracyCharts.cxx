@@ -13,6 +13,7 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <map>
 
 using namespace exabricks;
 using namespace exabricks::accuracy;
@@ -201,6 +202,24 @@ std::vector<Chart> pictureCharts()
   return charts;
 }
 
+// Where a chart of few steps has its ticks; of many steps, none.
+std::vector<std::pair<double, std::string>> stepsOf(const Chart& chart)
+{
+  std::map<double, std::string> ticks;
+  for (const Series& series : chart.series)
+  {
+    for (const auto& point : series.points)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.3g", point.first);
+      ticks[point.first] = text;
+    }
+  }
+  return ticks.size() > 10
+    ? std::vector<std::pair<double, std::string>>()
+    : std::vector<std::pair<double, std::string>>(ticks.begin(), ticks.end());
+}
+
 std::string fileName(std::string name)
 {
   std::replace_if(
@@ -248,7 +267,7 @@ int main(int argc, char* argv[])
     }
     for (Chart chart : read)
     {
-      chart.x = { "step / cell width", true, {} };
+      chart.x = { "step / cell width", true, stepsOf(chart) };
       chart.y = { "error", true, {} };
       addOrderGuides(chart);
       charts.push_back(chart);

@@ -45,7 +45,7 @@ const Look looks[] = { { { 0, 0, 0 }, vtkPlotPoints::CIRCLE },
   { { 230, 159, 0 }, vtkPlotPoints::CROSS }, { { 0, 158, 115 }, vtkPlotPoints::PLUS },
   { { 86, 180, 233 }, vtkPlotPoints::CIRCLE }, { { 204, 121, 167 }, vtkPlotPoints::SQUARE } };
 
-const int dashes[] = { vtkPen::DASH_LINE, vtkPen::DOT_LINE, vtkPen::DASH_DOT_LINE,
+const int dashes[] = { vtkPen::DASH_LINE, vtkPen::DASH_DOT_LINE, vtkPen::DASH_DOT_DOT_LINE,
   vtkPen::SOLID_LINE };
 
 struct Extent
@@ -118,6 +118,8 @@ Ticks linearTicks(const Extent& extent)
 
 void setAxis(vtkAxis* to, const Axis& axis, Extent extent)
 {
+  // keeps an upright title off the labels
+  const std::string pad = to->GetPosition() == vtkAxis::LEFT ? "  " : "";
   if (!(extent.max > extent.min))
   {
     extent = { extent.min - 0.5, extent.min + 0.5 };
@@ -132,7 +134,7 @@ void setAxis(vtkAxis* to, const Axis& axis, Extent extent)
   for (const auto& tick : ticks)
   {
     positions->InsertNextValue(onAxis(axis, tick.first));
-    labels->InsertNextValue(tick.second);
+    labels->InsertNextValue(pad + tick.second);
   }
   to->SetBehavior(vtkAxis::FIXED);
   to->SetRange(extent.min, extent.max);
