@@ -148,7 +148,7 @@ std::vector<Chart> pictureCharts()
   const std::vector<PictureCase> cases{
     { "bell", "Gaussian across a level change of ratio 2", gaussian({ 0.4, 0.45, 0.55 }, 0.2),
       { makeBoxGrid(2, 8), makeBoxGrid(2, 16), makeBoxGrid(2, 32), makeBoxGrid(2, 64) } },
-    { "front", "Front across a level change of ratio 2", movingFront(0.35, 0.15),
+    { "front", "Front through level changes of ratio 2 and the bounds", movingFront(0.35, 0.15),
       { makeBoxGrid(2, 8), makeBoxGrid(2, 16), makeBoxGrid(2, 32), makeBoxGrid(2, 64) } },
     { "shell", "Shell and blobs, refined by 2 where they are", shellAndBlobs(),
       { makeShellGrid({ 2 }, 16), makeShellGrid({ 2 }, 32), makeShellGrid({ 2 }, 64) } },
