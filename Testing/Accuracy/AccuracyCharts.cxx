@@ -20,8 +20,8 @@ using namespace exabricks::accuracy;
 
 namespace
 {
-constexpr Method methods[] = { Method::Nearest, Method::Basis, Method::Corrected,
-  Method::Completed };
+constexpr Method methods[] = { Method::Nearest, Method::Basis, Method::Corrected, Method::Completed,
+  Method::CompletedInside };
 
 std::vector<std::pair<double, std::string>> fractions(int first, int last)
 {
@@ -37,7 +37,7 @@ std::vector<ErrorRow> measureAllErrors()
 {
   const std::vector<Method> all(std::begin(methods), std::end(methods));
   std::vector<ErrorRow> rows;
-  std::printf("%-14s %5s  %-10s %-15s %9s %9s\n", "field", "ratio", "method", "zone", "order max",
+  std::printf("%-14s %5s  %-16s %-15s %9s %9s\n", "field", "ratio", "method", "zone", "order max",
     "order rms");
   for (const Field& field :
     { quadratic({ 0.3, 0.2, 0.4 }), gaussian({ 0.4, 0.45, 0.55 }, 0.3), movingFront(0.35, 0.15) })
@@ -54,7 +54,7 @@ std::vector<ErrorRow> measureAllErrors()
         {
           if (ratio > 1 || zone != Zone::LevelBoundary)
           {
-            std::printf("%-14s %5d  %-10s %-15s %9.2f %9.2f\n", field.name.c_str(), ratio,
+            std::printf("%-14s %5d  %-16s %-15s %9.2f %9.2f\n", field.name.c_str(), ratio,
               nameOf(method), nameOf(zone), observedOrder(measured, method, zone, Norm::Max),
               observedOrder(measured, method, zone, Norm::Rms));
           }
@@ -161,7 +161,7 @@ std::vector<Chart> pictureCharts()
   std::printf("\n%-12s %-5s %8s", "picture, dB", "tf", "finest");
   for (const Method method : methods)
   {
-    std::printf(" %10s", nameOf(method));
+    std::printf(" %16s", nameOf(method));
   }
   std::printf("\n");
   for (const PictureCase& c : cases)
@@ -195,7 +195,7 @@ std::vector<Chart> pictureCharts()
           std::printf("%-12s %-5s    1/%-4.0f", c.name.c_str(), veils ? "veils" : "ramp",
             1.0 / rows[i].finestWidth);
         }
-        std::printf(" %10.1f%s", rows[i].psnr, (i + 1) % std::size(methods) ? "" : "\n");
+        std::printf(" %16.1f%s", rows[i].psnr, (i + 1) % std::size(methods) ? "" : "\n");
       }
     }
   }

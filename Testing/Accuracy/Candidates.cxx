@@ -103,13 +103,13 @@ Candidates::Candidates(
   for (int l = 0; l < hierarchy.levels(); ++l)
   {
     Level& level = this->Levels[l];
-    level.completed = level.values;
+    level.completed = level.completedInside = level.values;
     forEachCell(level.bounds,
       [&](const Int3& cell)
       {
         if (!level.isLeaf(cell))
         {
-          level.completed[level.at(cell)] = this->Complete(l, cell);
+          this->Complete(l, cell);
         }
       });
   }
@@ -171,9 +171,9 @@ glm::dvec3 Candidates::FindGradient(int l, const Int3& cell) const
 
 // The mean of what the leaf cells say that hold the cell's centre; outside the data, those of its
 // level that are nearest. None away from leaf cells of its level, where no tent asks for it.
-double Candidates::Complete(int l, const Int3& cell) const
+void Candidates::Complete(int l, const Int3& cell)
 {
-  const Level& own = this->Levels[l];
+  Level& own = this->Levels[l];
   std::int64_t nearest = 4;
   const Box around{ cell - std::int64_t(1), cell + std::int64_t(2) };
   const auto distance = [&](const Int3& c)
@@ -185,14 +185,16 @@ double Candidates::Complete(int l, const Int3& cell) const
     [&](const Int3& c) { nearest = own.isLeaf(c) ? std::min(nearest, distance(c)) : nearest; });
   if (nearest == 4)
   {
-    return none;
+    return;
   }
   const glm::dvec3 middle = center(cell, own.width);
   double sum = 0.0;
+  double values = 0.0;
   int count = 0;
   const auto add = [&](const Level& level, const Int3& c)
   {
     const std::size_t at = level.at(c);
+    values += level.values[at];
     sum += level.values[at] + glm::dot(level.gradients[at], middle - center(c, level.width));
     ++count;
   };
@@ -216,7 +218,8 @@ double Candidates::Complete(int l, const Int3& cell) const
         }
       });
   }
-  if (count == 0)
+  const bool outside = count == 0;
+  if (outside)
   {
     forEachCell(around,
       [&](const Int3& c)
@@ -227,7 +230,10 @@ double Candidates::Complete(int l, const Int3& cell) const
         }
       });
   }
-  return glm::clamp(sum / count, this->Min, this->Max);
+  // never out of the data's range, for which transfer functions are made
+  const double completed = glm::clamp(sum / count, this->Min, this->Max);
+  own.completed[own.at(cell)] = completed;
+  own.completedInside[own.at(cell)] = outside ? values / count : completed;
 }
 
 double Candidates::corrected(const glm::dvec3& p) const
@@ -259,7 +265,7 @@ double Candidates::corrected(const glm::dvec3& p) const
   return (values + glm::dot(gradients, p - centers / weights)) / weights;
 }
 
-double Candidates::completed(const glm::dvec3& p) const
+double Candidates::InterpolateLevels(const glm::dvec3& p, std::vector<double> Level::*values) const
 {
   double sum = 0.0;
   double weights = 0.0;
@@ -268,7 +274,7 @@ double Candidates::completed(const glm::dvec3& p) const
     const glm::dvec3 q = p / static_cast<double>(level.width) - 0.5;
     const Int3 base(glm::floor(q));
     const glm::dvec3 f = q - glm::dvec3(base);
-    double values = 0.0;
+    double interpolated = 0.0;
     double leaves = 0.0;
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -278,13 +284,13 @@ double Candidates::completed(const glm::dvec3& p) const
       if (level.bounds.contains(cell) && weight > 0.0)
       {
         const std::size_t at = level.at(cell);
-        values += weight * level.completed[at];
+        interpolated += weight * (level.*values)[at];
         leaves += std::isnan(level.values[at]) ? 0.0 : weight;
       }
     }
     if (leaves > 0.0)
     {
-      sum += leaves * values;
+      sum += leaves * interpolated;
       weights += leaves;
     }
   }

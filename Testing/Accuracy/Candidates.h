@@ -28,7 +28,16 @@ public:
   /// no leaf cells are given values beforehand, from the leaf cells there and their gradients: on
   /// the device, a layer of such cells around each brick. A sample does as much as it does for the
   /// basis.
-  double completed(const glm::dvec3& logical) const;
+  double completed(const glm::dvec3& logical) const
+  {
+    return this->InterpolateLevels(logical, &Level::completed);
+  }
+  /// The same but for the bounds of the data, where the value stays beyond the outer cells'
+  /// centres, as it does for the basis: shows what level boundaries alone are worth.
+  double completedInside(const glm::dvec3& logical) const
+  {
+    return this->InterpolateLevels(logical, &Level::completedInside);
+  }
 
 private:
   struct Level
@@ -37,7 +46,9 @@ private:
     Box bounds;                 // of its leaf cells, and a layer around them; in its cells
     std::vector<double> values; // x fastest; NaN: not a leaf cell
     std::vector<glm::dvec3> gradients;
-    std::vector<double> completed; // values, and those of the lattice points beside leaf cells
+    // values, and those of the lattice points beside leaf cells
+    std::vector<double> completed;
+    std::vector<double> completedInside;
 
     std::size_t at(const Int3& cell) const;
     bool isLeaf(const Int3& cell) const;
@@ -46,7 +57,8 @@ private:
   template <typename Visitor>
   void ForEachFaceNeighbour(int level, const Int3& cell, const Visitor& visit) const;
   glm::dvec3 FindGradient(int level, const Int3& cell) const;
-  double Complete(int level, const Int3& cell) const;
+  void Complete(int level, const Int3& cell);
+  double InterpolateLevels(const glm::dvec3& p, std::vector<double> Level::*values) const;
 
   std::vector<Level> Levels;
   double Min, Max;

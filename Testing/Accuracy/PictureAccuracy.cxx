@@ -68,8 +68,8 @@ std::vector<PictureRow> measurePictures(const Field& field, const std::vector<Gr
   for (const Grid& grid : grids)
   {
     const Sampler sampler(grid, field);
-    for (const Method method :
-      { Method::Nearest, Method::Basis, Method::Corrected, Method::Completed })
+    for (const Method method : { Method::Nearest, Method::Basis, Method::Corrected,
+           Method::Completed, Method::CompletedInside })
     {
       const auto sample = [&](const glm::dvec3& p)
       { return *sampler.sample(p / grid.cellShare, method); };

@@ -78,7 +78,8 @@ glm::dvec3 nearHalfCells(const glm::dvec3& p, double cellWidth)
 
 const char* nameOf(Method method)
 {
-  constexpr const char* names[] = { "nearest", "basis", "corrected", "completed" };
+  constexpr const char* names[] = { "nearest", "basis", "corrected", "completed",
+    "completed inside" };
   return names[static_cast<int>(method)];
 }
 
@@ -108,6 +109,8 @@ std::optional<double> Sampler::sample(const glm::dvec3& logical, Method method) 
       return this->Others.corrected(logical);
     case Method::Completed:
       return this->Others.completed(logical);
+    case Method::CompletedInside:
+      return this->Others.completedInside(logical);
   }
   return {};
 }

@@ -17,7 +17,8 @@ enum class Method
   Nearest,
   Basis,
   Corrected, // Candidates::corrected
-  Completed  // Candidates::completed
+  Completed, // Candidates::completed
+  CompletedInside
 };
 const char* nameOf(Method method);
 
