@@ -13,6 +13,7 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 using namespace exabricks;

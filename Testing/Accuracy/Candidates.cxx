@@ -207,7 +207,6 @@ void Candidates::Complete(int l, const Int3& cell)
       const std::int64_t w = 2 * level.width;
       holding.hi[axis] = floorDivide(x, w) + 1;
       holding.lo[axis] = -floorDivide(-x, w) - 1; // two cells if it lies on a face
-      holding.lo[axis] = std::min(holding.lo[axis], holding.hi[axis] - 1);
     }
     forEachCell(holding,
       [&](const Int3& c)
