@@ -3,6 +3,9 @@
 // double-precision oracle, and get better with the square of the step.
 #include "SceneRenderer.h"
 
+#include <gtest/gtest.h>
+#include <iostream>
+
 using namespace exabricks;
 
 namespace

@@ -2,8 +2,10 @@
 // Whatever goes wrong with the device comes back as a message with what to do, and the renderer can
 // be used again.
 #include "SceneRenderer.h"
+
 #include "Vulkan/Device.h"
 #include "Vulkan/Faults.h"
+#include <gtest/gtest.h>
 
 using namespace exabricks;
 

@@ -9,7 +9,7 @@
 #include "Vulkan/VolumeRenderer.h"
 
 #include <glm/ext/matrix_transform.hpp>
-#include <gtest/gtest.h>
+#include <stdexcept>
 
 namespace exabricks
 {
@@ -39,7 +39,7 @@ struct SceneRenderer
   {
     this->transfer = function;
     this->renderer.setTransferFunction(function);
-    EXPECT_EQ(this->renderer.prepare(), "");
+    this->Check(this->renderer.prepare());
   }
 
   reference::View look(const glm::dvec3& direction, double viewAngle, int size = 96) const
@@ -68,7 +68,7 @@ struct SceneRenderer
   reference::Image render(const reference::View& from)
   {
     std::vector<glm::vec4> pixels;
-    EXPECT_EQ(this->renderer.render(this->toView(from), pixels), "");
+    this->Check(this->renderer.render(this->toView(from), pixels));
     pixels.resize(static_cast<std::size_t>(from.width) * from.height);
     return { from.width, from.height, { pixels.begin(), pixels.end() } };
   }
@@ -95,6 +95,15 @@ struct SceneRenderer
   double stepScale = 0.25;
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
+
+private:
+  static void Check(const std::string& fault)
+  {
+    if (!fault.empty())
+    {
+      throw std::runtime_error(fault);
+    }
+  }
 };
 
 inline double largestDifference(const reference::Image& a, const reference::Image& b)

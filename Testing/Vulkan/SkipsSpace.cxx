@@ -3,6 +3,8 @@
 // only what depends on it.
 #include "SceneRenderer.h"
 
+#include <gtest/gtest.h>
+
 using namespace exabricks;
 
 namespace

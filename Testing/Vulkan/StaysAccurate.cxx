@@ -3,6 +3,9 @@
 // away.
 #include "SceneRenderer.h"
 
+#include <gtest/gtest.h>
+#include <iostream>
+
 using namespace exabricks;
 
 namespace

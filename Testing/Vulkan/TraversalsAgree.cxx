@@ -2,6 +2,8 @@
 // Ray query and k-d tree are two ways to find the same regions: the pictures are the same.
 #include "SceneRenderer.h"
 
+#include <gtest/gtest.h>
+
 using namespace exabricks;
 
 namespace
