@@ -30,16 +30,21 @@ struct Block
   std::array<int, 3> cells;
 };
 
-/// Where the lattice lies. `ratio` is that of all levels.
+/// Where the lattice lies.
 struct Lattice
 {
   std::array<double, 3> origin{ 0.0, 0.0, 0.0 };
   std::array<double, 3> spacing{ 1.0, 1.0, 1.0 }; // of level 0
-  int ratio = 2;
+  int ratio = 2;                                  // of all levels, ...
+  std::vector<int> ratios;                        // ... or of each but level 0 to the one below
 
   std::array<double, 3> SpacingOf(unsigned int level) const
   {
-    const double scale = std::pow(this->ratio, -static_cast<int>(level));
+    double scale = 1.0;
+    for (unsigned int l = 0; l < level; ++l)
+    {
+      scale /= this->ratios.empty() ? this->ratio : this->ratios[l];
+    }
     return { this->spacing[0] * scale, this->spacing[1] * scale, this->spacing[2] * scale };
   }
 };

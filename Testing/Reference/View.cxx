@@ -18,40 +18,58 @@ glm::dmat4 logicalToWorld(const Hierarchy& hierarchy)
   return glm::scale(glm::translate(glm::dmat4(1.0), hierarchy.origin), hierarchy.spacing);
 }
 
-View lookAt(const Hierarchy& hierarchy, const Box& bounds, const glm::dvec3& direction,
-  double viewAngle, int width, int height)
+Camera frame(const Hierarchy& hierarchy, const Box& bounds, const glm::dvec3& direction,
+  double viewAngle, double aspect)
 {
-  const glm::dvec3 lo = hierarchy.origin + hierarchy.spacing * glm::dvec3(bounds.lo);
-  const glm::dvec3 hi = hierarchy.origin + hierarchy.spacing * glm::dvec3(bounds.hi);
-  const glm::dvec3 center = 0.5 * (lo + hi);
+  const glm::dvec3 lo = hierarchy.spacing * glm::dvec3(bounds.lo);
+  const glm::dvec3 hi = hierarchy.spacing * glm::dvec3(bounds.hi);
   const double radius = 0.5 * glm::length(hi - lo);
-  const double aspect = static_cast<double>(width) / height;
   const glm::dvec3 forward = glm::normalize(direction);
-  const glm::dvec3 up =
-    std::abs(forward.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
 
+  Camera camera;
+  camera.focalPoint = 0.5 * (lo + hi);
+  camera.viewUp = std::abs(forward.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  camera.viewAngle = viewAngle;
   double distance = 2.0 * radius;
-  glm::dmat4 projection;
   if (viewAngle > 0.0)
   {
     const double half = 0.5 * glm::radians(viewAngle);
     distance = radius / std::sin(std::min(half, std::atan(std::tan(half) * aspect)));
-    projection = glm::perspectiveRH_NO(2.0 * half, aspect, distance - radius, distance + radius);
   }
   else
   {
-    const double halfHeight = radius / std::min(aspect, 1.0);
-    projection = glm::orthoRH_NO(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight,
-      distance - radius, distance + radius);
+    camera.parallelScale = radius / std::min(aspect, 1.0);
   }
-  const glm::dmat4 camera = glm::lookAtRH(center - distance * forward, center, up);
+  camera.position = camera.focalPoint - distance * forward;
+  camera.nearest = distance - radius;
+  camera.farthest = distance + radius;
+  return camera;
+}
+
+View makeView(const Hierarchy& hierarchy, const Camera& camera, int width, int height)
+{
+  const double aspect = static_cast<double>(width) / height;
+  const double halfHeight = camera.parallelScale;
+  const glm::dmat4 projection = camera.viewAngle > 0.0
+    ? glm::perspectiveRH_NO(glm::radians(camera.viewAngle), aspect, camera.nearest, camera.farthest)
+    : glm::orthoRH_NO(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight,
+        camera.nearest, camera.farthest);
+  const glm::dmat4 looking = glm::lookAtRH(camera.position, camera.focalPoint, camera.viewUp);
 
   View view;
-  view.ndcToWorld = glm::inverse(projection * camera);
-  view.ndcToLogical = glm::inverse(projection * camera * logicalToWorld(hierarchy));
+  const glm::dmat4 ndcFromOrigin = glm::inverse(projection * looking);
+  view.ndcToWorld = glm::translate(glm::dmat4(1.0), hierarchy.origin) * ndcFromOrigin;
+  view.ndcToLogical = glm::scale(glm::dmat4(1.0), 1.0 / hierarchy.spacing) * ndcFromOrigin;
   view.width = width;
   view.height = height;
   return view;
+}
+
+View lookAt(const Hierarchy& hierarchy, const Box& bounds, const glm::dvec3& direction,
+  double viewAngle, int width, int height)
+{
+  const double aspect = static_cast<double>(width) / height;
+  return makeView(hierarchy, frame(hierarchy, bounds, direction, viewAngle, aspect), width, height);
 }
 }
 }

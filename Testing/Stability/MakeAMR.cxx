@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MakeAMR.h"
+
+#include "Cxx/AMR.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace exabricks
+{
+namespace stability
+{
+namespace
+{
+// The lattice in VTK's way: from the coarsest level on.
+test::Lattice latticeOf(const Hierarchy& hierarchy)
+{
+  test::Lattice lattice;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lattice.origin[axis] = hierarchy.origin[axis];
+    lattice.spacing[axis] =
+      hierarchy.spacing[axis] * static_cast<double>(hierarchy.cellWidth.front());
+  }
+  for (int level = 1; level < hierarchy.levels(); ++level)
+  {
+    lattice.ratios.push_back(
+      static_cast<int>(hierarchy.cellWidth[level - 1] / hierarchy.cellWidth[level]));
+  }
+  return lattice;
+}
+
+test::Block toVTK(const Block& block)
+{
+  test::Block result{ static_cast<unsigned int>(block.level), {}, {} };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result.first[axis] = static_cast<int>(block.cells.lo[axis]);
+    result.cells[axis] = static_cast<int>(block.cells.size()[axis]);
+  }
+  return result;
+}
+
+template <typename Visitor>
+void forEachCell(const Box& cells, const Visitor& visit)
+{
+  Int3 c;
+  for (c.z = cells.lo.z; c.z < cells.hi.z; ++c.z)
+  {
+    for (c.y = cells.lo.y; c.y < cells.hi.y; ++c.y)
+    {
+      for (c.x = cells.lo.x; c.x < cells.hi.x; ++c.x)
+      {
+        visit(c);
+      }
+    }
+  }
+}
+
+// Marks the cells that finer blocks hold all of.
+void markCovered(
+  const Hierarchy& hierarchy, const Block& block, const Box& grid, unsigned char* marks)
+{
+  const Int3 size = grid.size();
+  for (const Block& finer : hierarchy.blocks)
+  {
+    const std::int64_t ratio = hierarchy.cellWidth[block.level] / hierarchy.cellWidth[finer.level];
+    if (finer.level <= block.level)
+    {
+      continue;
+    }
+    Box covered;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      covered.lo[axis] = -floorDivide(-finer.cells.lo[axis], ratio);
+      covered.hi[axis] = floorDivide(finer.cells.hi[axis], ratio);
+    }
+    forEachCell(intersection(covered, block.cells),
+      [&](const Int3& c)
+      {
+        const Int3 at = c - grid.lo;
+        marks[at.x + size.x * (at.y + size.y * at.z)] |= vtkDataSetAttributes::REFINEDCELL;
+      });
+  }
+}
+}
+
+vtkSmartPointer<vtkOverlappingAMR> makeAMR(
+  const Hierarchy& hierarchy, const reference::CellField& field, const AMROptions& options)
+{
+  const test::Lattice lattice = latticeOf(hierarchy);
+  std::vector<test::Block> blocks;
+  for (const Block& block : hierarchy.blocks)
+  {
+    blocks.push_back(toVTK(block));
+  }
+  auto amr = test::makeNullBlocks(blocks, lattice);
+  std::vector<unsigned int> next(amr->GetNumberOfLevels(), 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    const Block& block = hierarchy.blocks[b];
+    const std::int64_t layers = options.ghosts;
+    const Box cells{ block.cells.lo - layers, block.cells.hi + layers };
+    auto grid = test::makeGrid(blocks[b], lattice, options.ghosts);
+    vtkSmartPointer<vtkDataArray> values;
+    values.TakeReference(options.like ? options.like->NewInstance() : vtkDoubleArray::New());
+    values->SetName("value");
+    values->SetNumberOfTuples(grid->GetNumberOfCells());
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->SetNumberOfTuples(grid->GetNumberOfCells());
+    vtkIdType i = 0;
+    forEachCell(cells,
+      [&](const Int3& cell)
+      {
+        const bool ghost = !block.cells.contains(cell);
+        const unsigned char mark = vtkDataSetAttributes::DUPLICATECELL;
+        values->SetTuple1(i, ghost ? options.ghostValue : field(block.level, cell));
+        marks->SetValue(i++, ghost && options.ghostsMarked ? mark : 0);
+      });
+    markCovered(hierarchy, block, cells, marks->GetPointer(0));
+    grid->GetCellData()->SetScalars(values);
+    grid->GetCellData()->AddArray(marks);
+    amr->SetDataSet(blocks[b].level, next[blocks[b].level]++, grid);
+  }
+  return amr;
+}
+
+reference::CellField shellField(const Hierarchy& hierarchy)
+{
+  return [bounds = reference::boundsOf(hierarchy), widths = hierarchy.cellWidth](
+           int level, const Int3& cell)
+  {
+    return reference::shellAndBlobs(
+      bounds, (glm::dvec3(cell) + 0.5) * static_cast<double>(widths[level]));
+  };
+}
+
+std::vector<Node> layers(double lo, double hi)
+{
+  std::vector<Node> nodes{ { 0.0, { 0.1, 0.1, 0.4, 0.0 } }, { 0.15, { 0.1, 0.2, 0.8, 0.0 } },
+    { 0.3, { 0.1, 0.7, 0.9, 0.08 } }, { 0.45, { 0.2, 0.8, 0.3, 0.02 } },
+    { 0.7, { 0.9, 0.8, 0.2, 0.1 } }, { 0.85, { 1.0, 0.4, 0.1, 0.5 } },
+    { 1.0, { 1.0, 1.0, 0.9, 0.3 } } };
+  for (Node& node : nodes)
+  {
+    node.value = (1.0 - node.value) * lo + node.value * hi;
+  }
+  return nodes;
+}
+
+std::vector<Node> constantNodes(double opacity, const glm::dvec3& color)
+{
+  return { { 0.0, glm::dvec4(color, opacity) } };
+}
+
+TransferFunction normalize(const std::vector<Node>& nodes, const Range& range)
+{
+  const auto share = [&](double value)
+  {
+    const long double min = range.min;
+    const long double width = range.max - min;
+    return static_cast<double>(width > 0.0L ? (value - min) / width : value - min);
+  };
+  std::vector<TransferFunction::Point> points;
+  for (const Node& node : nodes)
+  {
+    points.push_back({ share(node.value), node.color });
+  }
+  return TransferFunction(std::move(points));
+}
+
+Hierarchy oneBlock(const Int3& cells)
+{
+  Hierarchy hierarchy;
+  hierarchy.cellWidth = { 1 };
+  hierarchy.blocks = { { 0, { Int3(0), cells } } };
+  return hierarchy;
+}
+
+void look(Setting& setting, const glm::dvec3& direction, double viewAngle)
+{
+  Hierarchy world = setting.hierarchy;
+  world.spacing *= setting.scale;
+  setting.camera = reference::frame(world, reference::boundsOf(world), direction, viewAngle,
+    static_cast<double>(setting.width) / setting.height);
+}
+
+Setting fieldSetting(const Hierarchy& hierarchy, const reference::CellField& field,
+  double viewAngle, const AMROptions& options)
+{
+  Setting setting;
+  setting.hierarchy = hierarchy;
+  setting.amr = makeAMR(hierarchy, field, options);
+  setting.transfer = layers();
+  look(setting, { -0.6, 0.5, -0.4 }, viewAngle);
+  return setting;
+}
+
+Setting shellSetting(const Hierarchy& hierarchy, double viewAngle)
+{
+  return fieldSetting(hierarchy, shellField(hierarchy), viewAngle);
+}
+}
+}

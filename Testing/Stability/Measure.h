@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a setting with our renderer, through VTK's objects and the module's adapters but without a
+// window; and says how far the picture is from what it ought to be.
+#ifndef ExaBricksStabilityMeasure_h
+#define ExaBricksStabilityMeasure_h
+
+#include "Case.h"
+
+#include "Adapters/DataContents.h"
+#include "Vulkan/VolumeRenderer.h"
+
+#include "vtkNew.h"
+
+class vtkCamera;
+class vtkVolume;
+class vtkVolumeProperty;
+
+namespace exabricks
+{
+namespace stability
+{
+// The setting's objects for a scene of VTK.
+void setCamera(const Setting& setting, vtkCamera* camera);
+void setProperty(const Setting& setting, vtkVolumeProperty* property);
+void setMatrix(const Setting& setting, vtkVolume* volume);
+
+class Subject
+{
+public:
+  explicit Subject(Setting setting);
+  ~Subject();
+
+  const Setting& setting() const { return this->Given; }
+  const vtkExaBricksData::Contents& contents() const { return *this->Contents; }
+
+  /// Pictures that are right: several where a ray may take either side of a face.
+  std::vector<reference::Image> truths(Reconstruction reconstruction) const;
+
+  /// Throws what the renderer says is wrong. Each way has a renderer of its own, which all subjects
+  /// share, as pipelines take long to compile.
+  reference::Image draw(Reconstruction reconstruction, Traversal traversal) const;
+
+private:
+  void Build();
+  std::vector<reference::View> Views() const;
+
+  const Setting Given;
+  std::shared_ptr<const vtkExaBricksData::Contents> Contents;
+};
+
+struct Errors
+{
+  double all = 0.0;      // PSNR over all pixels, dB; infinite for equal pictures
+  double drawn = 0.0;    // over those that either picture shows something in
+  double greatest = 0.0; // difference in any channel of any pixel
+  double coverage = 0.0; // share of the pixels that the truth shows something in
+};
+
+/// Each pixel against that of the nearest truth. A value that is not finite is infinitely wrong.
+/// `channels`: 4, or 3 without opacity.
+Errors compare(
+  const reference::Image& picture, const std::vector<reference::Image>& truths, int channels = 4);
+}
+}
+
+#endif
