@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
+#include "WindowImage.h"
+
 #include "Adapters/TransferFunctionInput.h"
 
 #include "Output.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -99,20 +100,6 @@ void judge(std::vector<Method>& methods, const reference::Image& oracle, const s
       write(image, prefix + "method" + std::to_string(++number) + ".png");
     }
   }
-}
-
-reference::Image readWindow(vtkRenderWindow* window)
-{
-  const int* size = window->GetSize();
-  reference::Image image{ size[0], size[1], {} };
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
-  for (vtkIdType i = 0; i < bytes->GetNumberOfTuples(); ++i)
-  {
-    const unsigned char* rgb = bytes->GetPointer(3 * i);
-    image.pixels.emplace_back(rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0, 1.0);
-  }
-  return image;
 }
 
 DirectRenderer::DirectRenderer(const Subject& subject, Traversal traversal)

@@ -8,8 +8,6 @@
 
 #include <functional>
 
-class vtkVolumeMapper;
-
 namespace exabricks
 {
 namespace benchmarks
@@ -36,9 +34,6 @@ void measureInTurn(std::vector<Method>& methods, int rounds);
 
 /// Fills in the decibels. Pictures are written if `prefix` is not empty.
 void judge(std::vector<Method>& methods, const reference::Image& oracle, const std::string& prefix);
-
-/// What a window shows; 8 bits a channel.
-reference::Image readWindow(vtkRenderWindow* window);
 
 /// The renderer that vtkExaBricksVolumeMapper uses, without a window: float pictures.
 struct DirectRenderer

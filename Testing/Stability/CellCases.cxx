@@ -144,12 +144,26 @@ Setting checkerboard()
     hierarchy, [](int level, const Int3& cell) { return reference::noise(level, cell, 6); });
 }
 
-// Cells without neighbours: at their corners one tent alone is left, with the weight 1/8, and where
-// two of them meet at a corner, tents far down their slopes. Each cell keeps its value.
+// Blocks of one cell without neighbours: towards their corners their one tent falls to the weight
+// 1/8, and beyond the faces there is none. Each cell keeps its value.
 Setting islands()
 {
-  const Hierarchy hierarchy = oneBlock(Int3(13));
-  return fieldSetting(hierarchy,
+  Hierarchy hierarchy;
+  hierarchy.cellWidth = { 1 };
+  constexpr int n = 6;
+  for (int i = 0; i < n * n * n; ++i)
+  {
+    const Int3 lo(2 * (i % n), 2 * (i / n % n), 2 * (i / (n * n)));
+    hierarchy.blocks.push_back({ 0, { lo, lo + std::int64_t(1) } });
+  }
+  return fieldSetting(
+    hierarchy, [](int level, const Int3& cell) { return reference::noise(level, cell, 8); });
+}
+
+// The same, as cells of one block whose others are absent.
+Setting islandsAmongAbsentCells()
+{
+  return fieldSetting(oneBlock(Int3(11)),
     [](int level, const Int3& cell)
     {
       const bool there = cell.x % 2 == 0 && cell.y % 2 == 0 && cell.z % 2 == 0;
@@ -209,6 +223,9 @@ std::vector<Case> cellCases()
       "noise has a kink in every cell, which costs second order some dB; nearest is exact" },
     { "WeightsNearZero", "0 / 0 where no tent is left: black or white dots", islands, 90.0, 100.0,
       "a lone cell's mean is its value, however small its weight" },
+    { "IslandsAmongAbsentCells",
+      "absent cells count with some value, or take their neighbours along", islandsAmongAbsentCells,
+      60.0, 100.0, "as WeightsNearZero: the same picture" },
     { "ThinRemains", "weights of two levels near zero side by side: noise", thinRemains, 55.0,
       100.0,
       "noise has a kink in every cell; the least weight in a cell that is there is 1/8 of its "

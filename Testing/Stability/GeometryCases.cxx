@@ -32,11 +32,14 @@ Setting ofSize(double size, double scale)
   return setting;
 }
 
-Setting stretched(const glm::dvec3& spacing, const glm::dvec3& direction)
+// Looks along the longest axis, a little to the side, at the middle of the scene; the picture shows
+// `width` there.
+Setting stretched(const glm::dvec3& spacing, const glm::dvec3& direction, double width)
 {
   Setting setting = shellSetting(placed(glm::dvec3(5.0, -3.0, 2.0), spacing));
-  look(setting, direction, 30.0);
-  setting.unitDistance = 0.25 * glm::max(spacing.x, glm::max(spacing.y, spacing.z));
+  look(setting, direction, 0.0);
+  setting.camera.parallelScale = 0.5 * width;
+  setting.unitDistance = glm::max(spacing.x, glm::max(spacing.y, spacing.z));
   return setting;
 }
 
@@ -105,12 +108,12 @@ std::vector<Case> geometryCases()
   return {
     { "Anisotropy1To100", "one width is taken for all axes: steps too long, opacity wrong",
       [] {
-        return stretched({ 1.0, 1.0, 100.0 }, { -0.6, 0.5, -20.0 });
+        return stretched({ 1.0, 1.0, 100.0 }, { -0.6, 0.5, -80.0 }, 40.0);
       },
       60.0, 100.0, "steps are a quarter of a cell whatever its shape" },
     { "Anisotropy100To1To10", "one width is taken for all axes: steps too long, opacity wrong",
       [] {
-        return stretched({ 100.0, 1.0, 10.0 }, { -0.6, 0.05, -0.4 });
+        return stretched({ 100.0, 1.0, 10.0 }, { -80.0, 0.6, -7.0 }, 100.0);
       },
       60.0, 100.0, "steps are a quarter of a cell whatever its shape" },
     { "SpacingTiny",

@@ -126,7 +126,7 @@ void Subject::Build()
   this->Contents = std::move(contents);
 }
 
-std::vector<reference::View> Subject::Views() const
+std::vector<reference::View> Subject::Views(Reconstruction reconstruction) const
 {
   const reference::View view = reference::makeView(
     inWorld(this->Given), this->Given.camera, this->Given.width, this->Given.height);
@@ -141,6 +141,10 @@ std::vector<reference::View> Subject::Views() const
     views.push_back(view);
     views.back().ndcToLogical =
       glm::translate(glm::dmat4(1.0), this->Given.beside * side) * view.ndcToLogical;
+    if (reconstruction == Reconstruction::Basis)
+    {
+      break; // continuous: all sides are alike
+    }
   }
   return views;
 }
@@ -153,7 +157,7 @@ std::vector<reference::Image> Subject::truths(Reconstruction reconstruction) con
   std::vector<reference::Image> images;
   if (this->Given.truth)
   {
-    for (const reference::View& view : this->Views())
+    for (const reference::View& view : this->Views(reconstruction))
     {
       images.push_back(this->Given.truth(view, field));
     }
@@ -170,7 +174,7 @@ std::vector<reference::Image> Subject::truths(Reconstruction reconstruction) con
   settings.reconstruction = field;
   settings.opacityUnitDistance = this->Given.unitDistance;
   const TransferFunction transfer = normalize(this->Given.transfer, oracle.range());
-  for (const reference::View& view : this->Views())
+  for (const reference::View& view : this->Views(reconstruction))
   {
     images.push_back(oracle.render(view, transfer, settings));
   }

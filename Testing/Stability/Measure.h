@@ -42,7 +42,7 @@ public:
 
 private:
   void Build();
-  std::vector<reference::View> Views() const;
+  std::vector<reference::View> Views(Reconstruction reconstruction) const;
 
   const Setting Given;
   std::shared_ptr<const vtkExaBricksData::Contents> Contents;

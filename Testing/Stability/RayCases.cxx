@@ -43,14 +43,14 @@ Setting alongAxis(int axis, double sign)
 // Pixels' centres lie on lattice points in x, and on half ones in y.
 Setting inFaces()
 {
-  Setting setting = parallelRays({ 0, 0, -1 }, { 0, 1, 0 }, { 16.5, 16.0, 16.0 }, 1.0, 32);
+  Setting setting = parallelRays({ 0, 0, -1 }, { 0, 1, 0 }, { 16.0, 16.5, 16.0 }, 1.0, 31);
   setting.beside = 1e-6;
   return setting;
 }
 
 Setting alongEdges()
 {
-  Setting setting = parallelRays({ 0, 0, -1 }, { 0, 1, 0 }, { 16.5, 16.5, 16.0 }, 1.0, 32);
+  Setting setting = parallelRays({ 0, 0, -1 }, { 0, 1, 0 }, { 16.0, 16.0, 16.0 }, 1.0, 31);
   setting.beside = 1e-6;
   return setting;
 }
@@ -58,17 +58,15 @@ Setting alongEdges()
 // In faces of constant z, through edges along it.
 Setting diagonalInFaces()
 {
-  Setting setting = parallelRays({ 1, 1, 0 }, { 0, 0, 1 }, { 16.0, 16.0, 16.5 }, 1.0, 32);
+  Setting setting = parallelRays({ 1, 1, 0 }, { 0, 0, 1 }, { 16.0, 16.0, 16.0 }, 1.0, 31);
   setting.beside = 1e-6;
   return setting;
 }
 
-// The pixel's centre at the middle is on the main diagonal; its neighbours are 1 / sqrt(2) off.
+// Rays along the main diagonal, some of them through corners of cells one after the other.
 Setting throughCorners()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
-  const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0));
-  setting = parallelRays(direction, { 0, 0, 1 }, glm::dvec3(16.0), std::sqrt(0.5), 49);
+  Setting setting = parallelRays({ 1, 1, 1 }, { 0, 0, 1 }, glm::dvec3(16.0), std::sqrt(0.5), 31);
   setting.beside = 1e-6;
   return setting;
 }
@@ -83,7 +81,7 @@ Setting grazing(double slope)
 Setting fanInFace()
 {
   Setting setting = shellSetting(reference::twoLevels().hierarchy);
-  setting.width = setting.height = 49;
+  setting.width = setting.height = 31;
   setting.camera.position = glm::dvec3(16.0, -30.0, 40.0);
   setting.camera.focalPoint = glm::dvec3(16.0, 16.0, 16.0);
   setting.camera.viewUp = glm::dvec3(0.0, 0.0, 1.0);

@@ -92,7 +92,7 @@ Setting millionBlocks()
 // regions than 16 bits can count, of few blocks.
 Setting manyBricks()
 {
-  constexpr std::int64_t holes = 41; // along each axis: 41^3 > 2^16
+  constexpr std::int64_t holes = 27; // along each axis
   constexpr std::int64_t coarse = 2 * holes + 1;
   Hierarchy hierarchy;
   hierarchy.cellWidth = { 2, 1 };

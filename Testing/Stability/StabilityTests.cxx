@@ -36,6 +36,8 @@ TEST_P(Stability, KeepsItsBound)
   const Case& test = this->GetParam();
   const Subject subject(test.make());
   const Structure& structure = *subject.contents().Structure;
+  std::cout << test.name << ": " << structure.bricks.size() << " bricks, "
+            << structure.tree.regions.size() << " regions\n";
   EXPECT_GE(structure.bricks.size(), subject.setting().leastBricks);
   EXPECT_GE(structure.tree.regions.size(), subject.setting().leastRegions);
   for (const Reconstruction reconstruction : { Reconstruction::Basis, Reconstruction::Nearest })

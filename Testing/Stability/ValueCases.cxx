@@ -72,18 +72,6 @@ Setting int64Limits()
   return setting;
 }
 
-// The least range there is: 0, and the smallest double above it.
-Setting oneDenormal()
-{
-  constexpr double least = std::numeric_limits<double>::denorm_min();
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
-  const reference::CellField shell = shellField(hierarchy);
-  Setting setting = fieldSetting(
-    hierarchy, [=](int level, const Int3& cell) { return shell(level, cell) > 0.4 ? least : 0.0; });
-  setting.transfer = { { 0.0, { 0.2, 0.3, 0.9, 0.0 } }, { least, { 0.9, 0.6, 0.2, 0.2 } } };
-  return setting;
-}
-
 // From 1e-3 to 1e3, with a layer in each decade.
 Setting sixDecades()
 {
@@ -109,8 +97,18 @@ std::vector<Case> valueCases()
   return {
     { "ConstantArray", "a range of no width: 0 / 0, nothing drawn", constantArray, 100.0, 100.0,
       "a constant is exact whatever the step; float32 alone errs" },
-    { "DoubleLimits", "max - min overflows", [] { return shellBetween(-doubleMax, doubleMax); },
+    { "DoubleLimits", "max - min overflows",
+      []
+      {
+        Setting setting = shellBetween(-doubleMax, doubleMax);
+        setting.transfer = layers(-0.5 * doubleMax, 0.5 * doubleMax);
+        return setting;
+      },
       60.0, 100.0, asZeroToOne },
+    { "DoubleLimitsOfNodes",
+      "VTK's functions add a value to itself, which overflows beyond half of "
+      "the largest double",
+      [] { return shellBetween(-doubleMax, doubleMax); }, 60.0, 100.0, asZeroToOne },
     { "FloatLimits", "max - min overflows in float32",
       [] { return shellBetween(-floatMax, floatMax, vtkNew<vtkFloatArray>()); }, 60.0, 100.0,
       asZeroToOne },
@@ -123,10 +121,11 @@ std::vector<Case> valueCases()
       asZeroToOne },
     { "FloatDenormals", "flushed to 0: a range of no width",
       [] { return shellBetween(0.0, 1e-38, vtkNew<vtkFloatArray>()); }, 60.0, 100.0, asZeroToOne },
-    { "OneDenormal", "half of it is 0: a range of no width", oneDenormal, 60.0, 100.0,
-      asZeroToOne },
+    { "LeastDenormals", "half of them is rounded; flushed to 0",
+      [] { return shellBetween(0.0, 1000.0 * std::numeric_limits<double>::denorm_min()); }, 60.0,
+      100.0, asZeroToOne },
     { "RangeOfThousandUlps", "float32 sees one value", [] { return shellBetween(1e6, 1e6 + 1e-7); },
-      60.0, 60.0, "nodes and values are rounded to double: a thousandth of the range" },
+      60.0, 100.0, asZeroToOne },
     { "SixDecades", "tables and fixed point show the highest decade alone", sixDecades, 45.0, 90.0,
       "in a step values pass several decades, each of which has its share; nearest: values keep "
       "their relative precision towards the lower end" },
