@@ -6,6 +6,7 @@
 
 #include "Core/Regions.h"
 
+#include <cmath>
 #include <limits>
 
 namespace exabricks
@@ -40,11 +41,16 @@ struct Range
     this->min = std::min(this->min, other.min);
     this->max = std::max(this->max, other.max);
   }
-  /// 0 at min, 1 at max; without overflow for any finite range. 0 for a range of one value.
+  /// 0 at min, 1 at max; for any finite range, from the widest to that of the least two denormals.
+  /// 0 for a range of one value.
   double normalize(double value) const
   {
-    const double half = 0.5 * this->max - 0.5 * this->min;
-    return half > 0.0 ? (0.5 * value - 0.5 * this->min) / half : value - this->min;
+    const double width = this->max - this->min;
+    if (!std::isfinite(width))
+    {
+      return (0.5 * value - 0.5 * this->min) / (0.5 * this->max - 0.5 * this->min);
+    }
+    return width > 0.0 ? (value - this->min) / width : value - this->min;
   }
 };
 

@@ -117,6 +117,9 @@ TEST(Range, DoesNotOverflow)
   EXPECT_EQ(range.normalize(-most), 0.0);
   EXPECT_EQ(range.normalize(0.0), 0.5);
   EXPECT_EQ(range.normalize(most), 1.0);
+  // The least one: half of it would be 0.
+  const double least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ((Range{ 0.0, least }).normalize(least), 1.0);
 }
 
 TEST(Range, IsEmptyAtFirst) { EXPECT_TRUE(Range().empty()); }
