@@ -102,25 +102,29 @@ TransferFunction sampleAtBends(
       points.push_back({ value, color });
     }
   };
-  const auto jumps = [](const glm::dvec4& a, const glm::dvec4& b)
+  // By more than the slope beyond, which shows in a single unit in the last place where the range
+  // has few of them.
+  const auto jumps = [](const glm::dvec4& at, const glm::dvec4& beside, const glm::dvec4& beyond)
   {
-    const glm::dvec4 change = glm::abs(a - b);
+    const glm::dvec4 change = glm::abs(beside - at) - 2.0 * glm::abs(beyond - beside);
     return std::max({ change.r, change.g, change.b, change.a }) > 1e-6;
   };
   add(0.0f, colorAt(range.min));
   for (auto bend = bends.Values.lower_bound(range.min);
        bend != bends.Values.end() && *bend <= range.max; ++bend)
   {
-    const glm::dvec4 before = colorAt(std::nextafter(*bend, -infinity));
+    const double below = std::nextafter(*bend, -infinity);
+    const double above = std::nextafter(*bend, infinity);
+    const glm::dvec4 before = colorAt(below);
     const glm::dvec4 at = colorAt(*bend);
-    const glm::dvec4 after = colorAt(std::nextafter(*bend, infinity));
+    const glm::dvec4 after = colorAt(above);
     const float normalized = static_cast<float>(range.normalize(*bend));
-    if (*bend > range.min && jumps(before, at))
+    if (*bend > range.min && jumps(at, before, colorAt(std::nextafter(below, -infinity))))
     {
       add(std::nextafter(normalized, -1.0f), before);
     }
     add(normalized, at);
-    if (*bend < range.max && jumps(at, after))
+    if (*bend < range.max && jumps(at, after, colorAt(std::nextafter(above, infinity))))
     {
       add(std::nextafter(normalized, 2.0f), after);
     }
