@@ -100,15 +100,12 @@ std::vector<Case> valueCases()
     { "DoubleLimits", "max - min overflows",
       []
       {
+        // VTK's functions add a value to itself: their nodes can be half of the largest double.
         Setting setting = shellBetween(-doubleMax, doubleMax);
         setting.transfer = layers(-0.5 * doubleMax, 0.5 * doubleMax);
         return setting;
       },
-      60.0, 100.0, asZeroToOne },
-    { "DoubleLimitsOfNodes",
-      "VTK's functions add a value to itself, which overflows beyond half of "
-      "the largest double",
-      [] { return shellBetween(-doubleMax, doubleMax); }, 60.0, 100.0, asZeroToOne },
+      50.0, 100.0, "as UInt8Limits, but layers half as wide: 12 dB of second order less" },
     { "FloatLimits", "max - min overflows in float32",
       [] { return shellBetween(-floatMax, floatMax, vtkNew<vtkFloatArray>()); }, 60.0, 100.0,
       asZeroToOne },
