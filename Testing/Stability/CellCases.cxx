@@ -63,18 +63,13 @@ Setting withBlankedCells()
   return setting;
 }
 
+// Coarse and fine ones: the cells under a fine one are marked as covered, and are there to be seen.
 Setting withNullBlocks()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
-  for (unsigned int level = 0; level < setting.amr->GetNumberOfLevels(); ++level)
-  {
-    const unsigned int count = numberOfBlocks(setting.amr, level);
-    for (unsigned int index = 0; index < count; index += 3)
-    {
-      setting.amr->SetDataSet(level, index, nullptr);
-    }
-  }
-  return setting;
+  AMROptions options;
+  options.nullEvery = 3;
+  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  return fieldSetting(hierarchy, shellField(hierarchy), 30.0, options);
 }
 
 // Arrays larger than the AMR boxes, with wrong values in the layers around.

@@ -98,6 +98,11 @@ vtkSmartPointer<vtkOverlappingAMR> makeAMR(
   std::vector<unsigned int> next(amr->GetNumberOfLevels(), 0);
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
+    const unsigned int index = next[blocks[b].level]++;
+    if (options.nullEvery > 0 && b % options.nullEvery == 0)
+    {
+      continue;
+    }
     const Block& block = hierarchy.blocks[b];
     const std::int64_t layers = options.ghosts;
     const Box cells{ block.cells.lo - layers, block.cells.hi + layers };
@@ -121,7 +126,7 @@ vtkSmartPointer<vtkOverlappingAMR> makeAMR(
     markCovered(hierarchy, block, cells, marks->GetPointer(0));
     grid->GetCellData()->SetScalars(values);
     grid->GetCellData()->AddArray(marks);
-    amr->SetDataSet(blocks[b].level, next[blocks[b].level]++, grid);
+    amr->SetDataSet(blocks[b].level, index, grid);
   }
   return amr;
 }

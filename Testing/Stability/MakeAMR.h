@@ -19,6 +19,7 @@ struct AMROptions
   int ghosts = 0;               // layers of cells around each block ...
   double ghostValue = 0.0;      // ... with this value
   bool ghostsMarked = false;    // as duplicates
+  int nullEvery = 0;            // every so manyth block is null
 };
 
 /// Covered cells are marked as such, as VTK's readers do.
