@@ -22,7 +22,7 @@ struct PeerData
   int component;     // -1: magnitude
   glm::dvec3 lo;     // corners of the data's bounds
   glm::dvec3 hi;
-  double sampleDistance; // least width of the finest cell
+  double sampleDistance; // least width of the finest cell in the world
 };
 
 /// vtkMultiBlockVolumeMapper on all blocks; or on blocks whose covered cells are blanked, as their

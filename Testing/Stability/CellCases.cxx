@@ -19,7 +19,7 @@ constexpr char secondOrder[] =
 // The shell with some cells of this value.
 Setting withCellsOf(double value)
 {
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   const reference::CellField shell = shellField(hierarchy);
   return fieldSetting(hierarchy,
     [=](int level, const Int3& cell)
@@ -28,7 +28,7 @@ Setting withCellsOf(double value)
 
 Setting withInfiniteCells()
 {
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   const reference::CellField shell = shellField(hierarchy);
   return fieldSetting(hierarchy,
     [=](int level, const Int3& cell)
@@ -42,7 +42,7 @@ Setting withInfiniteCells()
 // Hidden by vtkUniformGrid, with values that are anything but harmless.
 Setting withBlankedCells()
 {
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   const reference::CellField shell = shellField(hierarchy);
   const auto hidden = [](int level, const Int3& cell)
   { return reference::noise(level, cell, 5) < 0.05; };
@@ -63,12 +63,12 @@ Setting withBlankedCells()
   return setting;
 }
 
-// Coarse and fine ones: the cells under a fine one are marked as covered, and are there to be seen.
+// The cells under it are marked as covered, and are there to be seen.
 Setting withNullBlocks()
 {
   AMROptions options;
-  options.nullEvery = 3;
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  options.nullBlock = 2;
+  const Hierarchy hierarchy = twoLevels();
   return fieldSetting(hierarchy, shellField(hierarchy), 30.0, options);
 }
 
@@ -79,7 +79,7 @@ Setting withGhostLayers(bool marked)
   options.ghosts = 2;
   options.ghostValue = 0.9;
   options.ghostsMarked = marked;
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   return fieldSetting(hierarchy, shellField(hierarchy), 30.0, options);
 }
 

@@ -15,7 +15,7 @@ constexpr char asAnywhere[] =
 // The scene of two levels somewhere else.
 Hierarchy placed(const glm::dvec3& origin, const glm::dvec3& spacing)
 {
-  Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  Hierarchy hierarchy = twoLevels();
   hierarchy.origin = origin;
   hierarchy.spacing = spacing;
   return hierarchy;
@@ -72,7 +72,7 @@ Setting onLargeLattice()
 
 Setting fromWithin(const glm::dvec3& position, const glm::dvec3& direction)
 {
-  Setting setting = shellSetting(reference::mixedRatios().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   setting.transfer = layers(0.0, 2.0); // thin, so that rays come far
   setting.camera.position = position;
   setting.camera.focalPoint = position + direction;
@@ -85,19 +85,19 @@ Setting fromWithin(const glm::dvec3& position, const glm::dvec3& direction)
 // The near plane is a face of cells of all levels, and the rays are normal to it.
 Setting fromNearPlaneOnFace()
 {
-  Setting setting = shellSetting(reference::mixedRatios().hierarchy, 0.0);
-  setting.camera.position = glm::dvec3(35.3, 34.9, 100.0);
-  setting.camera.focalPoint = glm::dvec3(35.3, 34.9, 0.0);
+  Setting setting = shellSetting(twoLevels(), 0.0);
+  setting.camera.position = glm::dvec3(15.3, 14.9, 100.0);
+  setting.camera.focalPoint = glm::dvec3(15.3, 14.9, 0.0);
   setting.camera.viewUp = glm::dvec3(0.0, 1.0, 0.0);
-  setting.camera.parallelScale = 34.0;
-  setting.camera.nearest = 100.0 - 36.0;
+  setting.camera.parallelScale = 15.0;
+  setting.camera.nearest = 100.0 - 16.0;
   setting.camera.farthest = 200.0;
   return setting;
 }
 
 Setting fromFarAway(double domains)
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   look(setting, { -0.6, 0.5, -0.4 }, 30.0 / domains);
   return setting;
 }
@@ -137,18 +137,18 @@ std::vector<Case> geometryCases()
       "float32" },
     { "CameraInsideACell", "the first step, and blocks behind the camera sorted before it",
       [] {
-        return fromWithin({ 30.3, 40.2, 33.4 }, { 0.4, -0.5, 0.3 });
+        return fromWithin({ 13.3, 18.2, 14.4 }, { 0.4, -0.5, 0.3 });
       },
       60.0, 100.0, "rays begin anywhere in a cell; the first interval begins there too" },
     { "CameraOnAFace", "0 / 0 in the distance to the face it is on",
       [] {
-        return fromWithin({ 36.0, 40.2, 33.4 }, { 0.0, -0.5, 0.3 });
+        return fromWithin({ 16.0, 18.2, 14.4 }, { 0.0, -0.5, 0.3 });
       },
       60.0, 100.0,
       "the face is behind or before all rays but those in it, none of which is a pixel's" },
     { "CameraOnACorner", "0 / 0 in the distance to the faces it is on",
       [] {
-        return fromWithin({ 36.0, 36.0, 36.0 }, { 0.9, -0.5, 0.3 });
+        return fromWithin({ 16.0, 16.0, 16.0 }, { 0.9, -0.5, 0.3 });
       },
       60.0, 100.0, "as on a face" },
     { "NearPlaneOnAFace", "a first interval of no length, or a layer of cells too many",
@@ -158,8 +158,7 @@ std::vector<Case> geometryCases()
       [] { return fromFarAway(1e5); }, 60.0, 90.0,
       "distances count from where rays enter the data; the double-precision matrices lose 1e-11" },
     { "ParallelProjection", "rays are taken to start in one point",
-      [] { return shellSetting(reference::mixedRatios().hierarchy, 0.0); }, 60.0, 100.0,
-      "as in perspective" },
+      [] { return shellSetting(twoLevels(), 0.0); }, 60.0, 100.0, "as in perspective" },
   };
 }
 }

@@ -99,7 +99,7 @@ vtkSmartPointer<vtkOverlappingAMR> makeAMR(
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     const unsigned int index = next[blocks[b].level]++;
-    if (options.nullEvery > 0 && b % options.nullEvery == 0)
+    if (static_cast<int>(b) == options.nullBlock)
     {
       continue;
     }
@@ -180,6 +180,15 @@ Hierarchy oneBlock(const Int3& cells)
   Hierarchy hierarchy;
   hierarchy.cellWidth = { 1 };
   hierarchy.blocks = { { 0, { Int3(0), cells } } };
+  return hierarchy;
+}
+
+Hierarchy twoLevels()
+{
+  Hierarchy hierarchy;
+  hierarchy.cellWidth = { 2, 1 };
+  hierarchy.blocks = { { 0, { Int3(0), Int3(16) } }, { 1, { Int3(4, 4, 2), Int3(28, 28, 12) } },
+    { 1, { Int3(4, 4, 12), Int3(16, 28, 28) } }, { 1, { Int3(16, 16, 12), Int3(28, 28, 28) } } };
   return hierarchy;
 }
 

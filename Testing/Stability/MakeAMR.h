@@ -19,7 +19,7 @@ struct AMROptions
   int ghosts = 0;               // layers of cells around each block ...
   double ghostValue = 0.0;      // ... with this value
   bool ghostsMarked = false;    // as duplicates
-  int nullEvery = 0;            // every so manyth block is null
+  int nullBlock = -1;           // this one of the hierarchy's is not there
 };
 
 /// Covered cells are marked as such, as VTK's readers do.
@@ -38,6 +38,10 @@ TransferFunction normalize(const std::vector<Node>& nodes, const Range& range);
 
 /// A block of so many cells of one level.
 Hierarchy oneBlock(const Int3& cells);
+
+/// 32 finest cells along each axis, ratio 2. Four blocks, so that renderers with a texture for each
+/// are not stopped by their number in every case; the shell lies in cells of both levels.
+Hierarchy twoLevels();
 
 /// A shell in `hierarchy` and its layers, seen from a corner.
 Setting shellSetting(const Hierarchy& hierarchy, double viewAngle = 30.0);

@@ -45,7 +45,7 @@ vtkSmartPointer<vtkVolumeMapper> makeMapper(const std::string& peer, const Setti
   const benchmarks::PeerData data{ setting.amr, "value", -1,
     hierarchy.origin + spacing * glm::dvec3(bounds.lo),
     hierarchy.origin + spacing * glm::dvec3(bounds.hi),
-    std::min({ spacing.x, spacing.y, spacing.z }) };
+    setting.scale * std::min({ spacing.x, spacing.y, spacing.z }) };
   return peer == "multiblock" ? benchmarks::makeMultiBlockMapper(data, true)
     : peer == "resampled"     ? benchmarks::makeResampledMapper(data, ResampledCells)
                               : benchmarks::makeAMRMapper(data);

@@ -19,7 +19,7 @@ constexpr char eitherSide[] =
 Setting parallelRays(const glm::dvec3& direction, const glm::dvec3& up, const glm::dvec3& through,
   double pixel, int size)
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   setting.width = setting.height = size;
   setting.camera.viewAngle = 0.0;
   setting.camera.viewUp = up;
@@ -80,7 +80,7 @@ Setting grazing(double slope)
 // A perspective camera in a face: the middle column of pixels runs in it.
 Setting fanInFace()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   setting.width = setting.height = 31;
   setting.camera.position = glm::dvec3(16.0, -30.0, 40.0);
   setting.camera.focalPoint = glm::dvec3(16.0, 16.0, 16.0);

@@ -147,21 +147,21 @@ Setting manyCells()
 
 Setting manyBuffers()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   setting.largestValueBuffer = 4096;
   return setting;
 }
 
 Setting onePixel()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy);
+  Setting setting = shellSetting(twoLevels());
   setting.width = setting.height = 1;
   return setting;
 }
 
 Setting widePicture()
 {
-  Setting setting = shellSetting(reference::twoLevels().hierarchy, 0.0);
+  Setting setting = shellSetting(twoLevels(), 0.0);
   setting.width = 4097;
   setting.height = 3;
   setting.camera.parallelScale = 0.5 * 48.0 * setting.height / setting.width;

@@ -8,7 +8,7 @@ namespace stability
 {
 namespace
 {
-Setting shell() { return shellSetting(reference::twoLevels().hierarchy); }
+Setting shell() { return shellSetting(twoLevels()); }
 
 Setting withNodes(const std::vector<Node>& nodes)
 {

@@ -28,7 +28,7 @@ reference::CellField shellFromZeroToOne(const Hierarchy& hierarchy)
 // The shell from `lo` to `hi`, and the layers for it.
 Setting shellBetween(double lo, double hi, vtkDataArray* like = nullptr)
 {
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   AMROptions options;
   options.like = like;
   const reference::CellField share = shellFromZeroToOne(hierarchy);
@@ -46,8 +46,7 @@ Setting shellBetween(double lo, double hi, vtkDataArray* like = nullptr)
 
 Setting constantArray()
 {
-  Setting setting =
-    fieldSetting(reference::twoLevels().hierarchy, [](int, const Int3&) { return 42.0; });
+  Setting setting = fieldSetting(twoLevels(), [](int, const Int3&) { return 42.0; });
   setting.transfer = { { 40.0, { 0.1, 0.4, 0.8, 0.0 } }, { 50.0, { 0.9, 0.4, 0.3, 0.1 } } };
   return setting;
 }
@@ -75,7 +74,7 @@ Setting int64Limits()
 // From 1e-3 to 1e3, with a layer in each decade.
 Setting sixDecades()
 {
-  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  const Hierarchy hierarchy = twoLevels();
   const reference::CellField share = shellFromZeroToOne(hierarchy);
   Setting setting = fieldSetting(hierarchy,
     [=](int level, const Int3& cell) { return std::pow(10.0, 6.0 * share(level, cell) - 3.0); });
