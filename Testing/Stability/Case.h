@@ -31,6 +31,9 @@ struct Setting
   /// Instead of an AMR, where VTK has no memory for its blocks.
   std::shared_ptr<const CellSource> cells;
   Hierarchy hierarchy; // the lattice of the AMR; with `cells`, all of it
+  /// The values as they ought to be read, so that the oracle does without the adapters; empty: it
+  /// reads the AMR through them.
+  std::function<double(int level, const Int3& cell)> field;
   std::vector<Node> transfer;
   double unitDistance = 1.0;
 

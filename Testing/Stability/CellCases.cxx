@@ -48,6 +48,8 @@ Setting withBlankedCells()
   { return reference::noise(level, cell, 5) < 0.05; };
   Setting setting = fieldSetting(hierarchy,
     [=](int level, const Int3& cell) { return hidden(level, cell) ? 1e30 : shell(level, cell); });
+  setting.field = [=](int level, const Int3& cell)
+  { return hidden(level, cell) ? none : shell(level, cell); };
   test::forEachGrid(setting.amr,
     [](unsigned int, vtkUniformGrid* grid)
     {
@@ -69,7 +71,9 @@ Setting withNullBlocks()
   AMROptions options;
   options.nullBlock = 2;
   const Hierarchy hierarchy = twoLevels();
-  return fieldSetting(hierarchy, shellField(hierarchy), 30.0, options);
+  Setting setting = fieldSetting(hierarchy, shellField(hierarchy), 30.0, options);
+  setting.hierarchy.blocks.erase(setting.hierarchy.blocks.begin() + options.nullBlock);
+  return setting;
 }
 
 // Arrays larger than the AMR boxes, with wrong values in the layers around.

@@ -70,6 +70,17 @@ Setting onLargeLattice()
   return setting;
 }
 
+// The same, from behind the block at the other end: rays come through 2^20 cells of nothing.
+Setting throughLargeLattice()
+{
+  Setting setting = onLargeLattice();
+  Box there = reference::boundsOf(setting.hierarchy);
+  there.lo = there.hi - std::int64_t(32);
+  setting.camera = reference::frame(setting.hierarchy, there, { 1.0, 1.0001, 0.9999 }, 1.6e-3, 1.0);
+  setting.camera.nearest = 1.0;
+  return setting;
+}
+
 Setting fromWithin(const glm::dvec3& position, const glm::dvec3& direction)
 {
   Setting setting = shellSetting(twoLevels());
@@ -135,6 +146,8 @@ std::vector<Case> geometryCases()
       onLargeLattice, 60.0, 90.0,
       "distances count from a lattice point near the ray, so that 1e-4 of a cell is left of "
       "float32" },
+    { "ThroughALatticeOf2To20", "distances along the ray have lost their digits on arrival",
+      throughLargeLattice, 60.0, 90.0, "a ray is set up anew, in double precision, on its way" },
     { "CameraInsideACell", "the first step, and blocks behind the camera sorted before it",
       [] {
         return fromWithin({ 13.3, 18.2, 14.4 }, { 0.4, -0.5, 0.3 });

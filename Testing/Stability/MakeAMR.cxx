@@ -85,6 +85,20 @@ void markCovered(
 }
 }
 
+FieldSource::FieldSource(const Hierarchy& hierarchy, reference::CellField field)
+  : Field(std::move(field))
+{
+  for (const Block& block : hierarchy.blocks)
+  {
+    this->Levels.push_back(block.level);
+  }
+}
+
+void FieldSource::read(int block, const Box& cells, double* values) const
+{
+  forEachCell(cells, [&](const Int3& cell) { *values++ = this->Field(this->Levels[block], cell); });
+}
+
 vtkSmartPointer<vtkOverlappingAMR> makeAMR(
   const Hierarchy& hierarchy, const reference::CellField& field, const AMROptions& options)
 {
@@ -206,6 +220,7 @@ Setting fieldSetting(const Hierarchy& hierarchy, const reference::CellField& fie
   Setting setting;
   setting.hierarchy = hierarchy;
   setting.amr = makeAMR(hierarchy, field, options);
+  setting.field = field;
   setting.transfer = layers();
   look(setting, { -0.6, 0.5, -0.4 }, viewAngle);
   return setting;

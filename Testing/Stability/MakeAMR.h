@@ -13,6 +13,18 @@ namespace exabricks
 {
 namespace stability
 {
+/// Values by formula.
+class FieldSource : public CellSource
+{
+public:
+  FieldSource(const Hierarchy& hierarchy, reference::CellField field);
+  void read(int block, const Box& cells, double* values) const override;
+
+private:
+  reference::CellField Field;
+  std::vector<int> Levels;
+};
+
 struct AMROptions
 {
   vtkDataArray* like = nullptr; // type of the arrays; double if null

@@ -149,6 +149,22 @@ std::vector<reference::View> Subject::Views(Reconstruction reconstruction) const
   return views;
 }
 
+reference::Oracle Subject::MakeOracle() const
+{
+  if (this->Given.field)
+  {
+    const Hierarchy& hierarchy = this->Given.hierarchy;
+    return { hierarchy, findLeafBoxes(hierarchy), FieldSource(hierarchy, this->Given.field) };
+  }
+  const AMRInput input = readAMR(this->Given.amr);
+  AMRCellSource source(input, -1);
+  for (std::size_t b = 0; b < input.grids.size(); ++b)
+  {
+    source.setArray(static_cast<int>(b), input.grids[b]->GetCellData()->GetArray("value"));
+  }
+  return { input.hierarchy, findLeafBoxes(input.hierarchy), source };
+}
+
 std::vector<reference::Image> Subject::truths(Reconstruction reconstruction) const
 {
   const reference::Reconstruction field = reconstruction == Reconstruction::Nearest
@@ -163,13 +179,7 @@ std::vector<reference::Image> Subject::truths(Reconstruction reconstruction) con
     }
     return images;
   }
-  const AMRInput input = readAMR(this->Given.amr);
-  AMRCellSource source(input, -1);
-  for (std::size_t b = 0; b < input.grids.size(); ++b)
-  {
-    source.setArray(static_cast<int>(b), input.grids[b]->GetCellData()->GetArray("value"));
-  }
-  const reference::Oracle oracle(input.hierarchy, findLeafBoxes(input.hierarchy), source);
+  const reference::Oracle oracle = this->MakeOracle();
   reference::Oracle::Settings settings;
   settings.reconstruction = field;
   settings.opacityUnitDistance = this->Given.unitDistance;

@@ -42,6 +42,7 @@ public:
 
 private:
   void Build();
+  reference::Oracle MakeOracle() const;
   std::vector<reference::View> Views(Reconstruction reconstruction) const;
 
   const Setting Given;

@@ -11,39 +11,6 @@ namespace stability
 {
 namespace
 {
-// Values by formula, for more blocks than arrays.
-class FieldSource : public CellSource
-{
-public:
-  FieldSource(const Hierarchy& hierarchy, reference::CellField field)
-    : Field(std::move(field))
-  {
-    for (const Block& block : hierarchy.blocks)
-    {
-      this->Levels.push_back(block.level);
-    }
-  }
-
-  void read(int block, const Box& cells, double* values) const override
-  {
-    Int3 c;
-    for (c.z = cells.lo.z; c.z < cells.hi.z; ++c.z)
-    {
-      for (c.y = cells.lo.y; c.y < cells.hi.y; ++c.y)
-      {
-        for (c.x = cells.lo.x; c.x < cells.hi.x; ++c.x)
-        {
-          *values++ = this->Field(this->Levels[block], c);
-        }
-      }
-    }
-  }
-
-private:
-  reference::CellField Field;
-  std::vector<int> Levels;
-};
-
 // Every second cell along each axis, each a block: a million bricks of one cell. Cells without
 // neighbours keep their value, so that one block with all others absent is the same picture.
 Setting millionBlocks()

@@ -40,6 +40,10 @@ Setting shellBetween(double lo, double hi, vtkDataArray* like = nullptr)
       return (1.0 - s) * lo + s * hi;
     },
     30.0, options);
+  if (like)
+  {
+    setting.field = nullptr; // the type rounds
+  }
   setting.transfer = layers(lo, hi);
   return setting;
 }
