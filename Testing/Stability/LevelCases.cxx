@@ -35,8 +35,7 @@ Hierarchy sixteenLevels()
 
 Setting sixteen()
 {
-  // Every level shows a cell's width of noise in a corner of it: look from there, and let the
-  // coarse cells weigh no more than the fine ones do on a picture of the corner.
+  // From outside, where the coarsest levels are most of the picture.
   const Hierarchy hierarchy = sixteenLevels();
   Setting setting = fieldSetting(
     hierarchy, [](int level, const Int3& cell) { return reference::noise(level, cell, 7); });
