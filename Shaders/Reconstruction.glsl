@@ -130,7 +130,8 @@ bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint c
     const uvec3 n = cellsOf(brick);
     const vec3 q = toCells(brick, ray, inside);
     const vec3 off = abs(q - clamp(q, vec3(0.0), vec3(n))) * float(brick.width);
-    const float miss = off.x + off.y + off.z;
+    // A cell's upper faces are those of the next cells: on them both sides miss by nothing.
+    const float miss = off.x + off.y + off.z + (any(greaterThanEqual(q, vec3(n))) ? 1e-20 : 0.0);
     if (miss < closest)
     {
       closest = miss;
@@ -146,8 +147,11 @@ bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint c
   value = valueAt(holder, cellsOf(holder), cell);
   const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));
   const ivec3 face = holder.lo + 2 * holder.width * ahead;
-  const float leave = min(planeDistance(ray, face.x, 0),
-    min(planeDistance(ray, face.y, 1), planeDistance(ray, face.z, 2)));
+  vec3 leaves = vec3(planeDistance(ray, face.x, 0), planeDistance(ray, face.y, 1),
+    planeDistance(ray, face.z, 2));
+  // A ray in a face does not leave through it.
+  leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
+  const float leave = min(leaves.x, min(leaves.y, leaves.z));
   end = min(end, max(leave, inside));
   return value >= 0.0;
 }

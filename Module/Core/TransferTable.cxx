@@ -28,12 +28,16 @@ std::vector<Point> clipToUnitInterval(const TransferFunction& transfer)
   return points;
 }
 
-const double leastTransparency = std::exp(-layout::DENSEST);
+// That of the greatest opacity below 1; and without the loss of digits of 1 - opacity where that is
+// small.
+double extinctionOf(double opacity)
+{
+  return std::min(-std::log1p(-opacity), static_cast<double>(layout::DENSEST));
+}
 
 glm::dvec4 extinctionOf(const glm::dvec4& color)
 {
-  const double extinction = -std::log(std::max(1.0 - color.a, leastTransparency));
-  return extinction * glm::dvec4(color.r, color.g, color.b, 1.0);
+  return extinctionOf(color.a) * glm::dvec4(color.r, color.g, color.b, 1.0);
 }
 
 // A part on which colour and opacity are linear.
@@ -62,12 +66,14 @@ struct Part
   // Mean of the extinction, and of the same times each colour.
   glm::dvec4 mean() const
   {
-    const double u0 = std::max(1.0 - this->begin.color.a, leastTransparency);
-    const double u1 = std::max(1.0 - this->end.color.a, leastTransparency);
+    const double a0 = this->begin.color.a;
+    const double a1 = this->end.color.a;
     double mean = 0.0;
     double upward = 0.0; // of the extinction times the share of the way to the end
-    if (std::abs(u1 - u0) > 1e-3)
+    if (std::abs(a1 - a0) > 1e-3)
     {
+      const double u0 = std::exp(-extinctionOf(a0)); // what passes
+      const double u1 = std::exp(-extinctionOf(a1));
       const auto first = [](double u) { return u - u * std::log(u); }; // integrals of -ln u, ...
       const auto second = [](double u) { return u * u * (0.25 - 0.5 * std::log(u)); }; // -u ln u
       mean = (first(u1) - first(u0)) / (u1 - u0);
@@ -79,8 +85,9 @@ struct Part
       {
         const double share = 0.5 + offset * std::sqrt(0.15);
         const double weight = offset == 0.0 ? 4.0 / 9.0 : 5.0 / 18.0;
-        mean -= weight * std::log(glm::mix(u0, u1, share));
-        upward -= weight * std::log(glm::mix(u0, u1, share)) * share;
+        const double extinction = extinctionOf(glm::mix(a0, a1, share));
+        mean += weight * extinction;
+        upward += weight * extinction * share;
       }
     }
     const glm::dvec4 colors =
