@@ -63,8 +63,8 @@ EXABRICKS_CONST uint KD_NO_REGION = (1u << 30) - 1u; // a leaf with nothing to d
 // The transfer function as extinction, -ln(1 - opacity of the unit distance), times red, green,
 // blue, 1: piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin without a control
 // point inside is the line between its ends. One with control points inside names, in
-// lower.a = -(1 + first), its first knot, which stands at its lower end; the others are the control
-// points inside, and its upper end.
+// lower.a = -(1 + first), its first knot, which stands at its lower end, and, in upper.a, how many
+// there are up to that at its upper end.
 //
 // Beside them the integral over values, from 0 to the bin's lower end or to the knot, in units of
 // Frame.integralUnit: as integers, so that differences of close ones are exact. And of the part from

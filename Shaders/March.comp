@@ -34,17 +34,17 @@ struct March
   Brick brick;      // the first of the region's: most regions have one alone
   uint otherBricks; // place of the rest in the lists
   uint otherCount;
-  float entry;    // distance at which the next interval begins (nearest), or the first one (basis)
+  float entry;    // distance at which the next interval begins
   float exit;     // distance at which the ray leaves the region
-  uint intervals; // number still to do; nearest: 0 or 1
+  uint intervals; // number still to do; where they end at faces of cells: 0, or 1 for some
   vec4 color;     // premultiplied
 
   // Basis
-  float interval;     // length of an interval: a whole number of them fills the region
-  float next;         // number of the next one's end; 0: the first one's begin
+  bool cut;           // intervals end at faces of cells, as some are absent
+  float interval;     // greatest length of an interval; unless cut, a whole number fills the region
   bool halved;        // by a sample in its middle
-  TransferPoint last; // of the last sample
-  bool there;         // it has a value
+  bool known;         // the point at `entry` is
+  TransferPoint last; // it
 };
 
 void enterRegion(uint r, float entry, float exit, inout March march)
@@ -59,113 +59,110 @@ void enterRegion(uint r, float entry, float exit, inout March march)
     // Samples at most stepScale cells of the finest brick apart, two to an interval, unless one
     // alone does for the region.
     int width = march.brick.width;
+    uint flags = march.brick.dimensions;
     for (uint k = 0; k < march.otherCount; ++k)
     {
-      width = min(width, bricks.items[brickLists.items[march.otherBricks + k]].width);
+      const Brick brick = bricks.items[brickLists.items[march.otherBricks + k]];
+      width = min(width, brick.width);
+      flags |= brick.dimensions;
     }
-    const float samples = (exit - entry) / (2.0 * stepScale * float(width));
-    const float count = max(ceil(0.5 * samples), 1.0);
-    march.interval = (exit - entry) / count;
-    march.halved = samples > 1.0;
-    // The field is continuous: the last sample of the region before is the first of this one.
-    march.next = march.exit == entry ? 1.0 : 0.0;
-    march.intervals = uint(count - march.next) + 1;
+    march.cut = (flags & BRICK_HAS_ABSENT_CELLS) != 0u;
+    const float step = 2.0 * stepScale * float(width);
+    const float count = max(ceil(0.5 * (exit - entry) / step), 1.0);
+    march.halved = march.cut || exit - entry > step;
+    march.interval = march.cut ? 2.0 * step : (exit - entry) / count;
+    march.intervals = march.cut ? 1 : uint(count);
+    // The field is continuous: the last point of the region before is the first of this one.
+    march.known = march.known && march.exit == entry;
   }
   march.entry = entry;
   march.exit = exit;
+}
+
+// The value of the cell that the ray is in, and where it leaves it. False: it is absent.
+bool findCell(Ray ray, March march, out float end, out float value)
+{
+  end = march.exit;
+  return sampleNearest(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
+    march.entry, end, value);
 }
 
 // Nearest: the value does not change up to the next face of a cell.
 void marchCell(Ray ray, inout March march)
 {
   float value;
-  const float begin = march.entry;
-  march.entry = march.exit;
-  const bool there = sampleNearest(bricks, brickLists, march.brick, march.otherBricks,
-    march.otherCount, ray, begin, march.entry, value);
-  march.intervals = march.entry < march.exit ? 1 : 0;
-  if (there)
+  float end;
+  if (findCell(ray, march, end, value))
   {
     const TransferPart part = findPart(transferBins, transferKnots, value);
     march.color += (1.0 - march.color.a) *
       absorb(mix(part.lower, part.upper, part.share),
-        (march.entry - begin) * ray.worldPerHalfCell * inverseUnit);
+        (end - march.entry) * ray.worldPerHalfCell * inverseUnit);
   }
+  march.entry = end;
+  march.intervals = end < march.exit ? 1 : 0;
 }
 
-// From the last value, at `begin`, to the next one, at `end`. Where one of the two is missing, the
-// other counts up to the face of the absent cell.
-void goTo(float value, bool there, Ray ray, float begin, float end, inout March march)
+// Where the next interval ends. False: there is nothing up to there.
+bool findEnd(Ray ray, March march, out float end)
 {
-  value = there ? value : march.last.value;
-  const TransferPart part = findPart(transferBins, transferKnots, value);
-  const TransferPoint point = makePoint(part, value, inverseIntegralUnit);
-  if (end > begin && (there || march.there))
+  if (!march.cut)
   {
-    float length = end - begin;
-    if (there != march.there)
-    {
-      const float present = there ? end : begin;
-      length = abs(present - findAbsent(bricks, brickLists, march.brick, march.otherBricks,
-        march.otherCount, ray, present, there ? begin : end));
-    }
-    if (!march.there)
-    {
-      march.last = point;
-    }
-    march.color += (1.0 - march.color.a) *
-      absorb(meanBetween(march.last, point, part, integralUnit),
-        length * ray.worldPerHalfCell * inverseUnit);
+    end = march.intervals == 1 ? march.exit : march.entry + march.interval;
+    return true;
   }
-  march.last = point;
-  march.there = there;
+  float value;
+  const bool there = findCell(ray, march, end, value);
+  const float count = ceil((end - march.entry) / march.interval);
+  end = there && count > 1.0 ? march.entry + (end - march.entry) / count : end;
+  return there;
 }
 
-// Basis: the next interval, over which the value goes evenly from the last sample to the one in the
-// middle and on to the next.
+// Basis: the next interval, over which the value goes evenly from the last point to the sample in
+// the middle and on to the next point. At first, the point where the first interval begins.
 void marchInterval(Ray ray, inout March march)
 {
-  const float end = march.entry + march.next * march.interval;
-  const bool halved = march.next > 0.0 && march.halved;
-  const float length = march.next > 0.0 ? (halved ? 0.5 : 1.0) * march.interval : 0.0;
-  float at = halved ? end - length : end;
-  float middle = 0.0;
-  float value = 0.0;
-  bool middleThere = false;
-  bool there = false;
-  for (;;)
+  float end;
+  const bool there = findEnd(ray, march, end);
+  const bool first = there && !march.known;
+  if (there)
   {
-    middle = value;
-    middleThere = there;
-    there = sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
-      at, value);
-    if (at >= end)
+    const float length = end - march.entry;
+    const int count = march.halved && !first ? 2 : 1;
+    float middle = 0.0;
+    float value = 0.0;
+    for (int k = 1; k <= count; ++k)
     {
-      break;
+      middle = value;
+      value = sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
+        first ? march.entry : k == count ? end : march.entry + 0.5 * length);
     }
-    at = end;
-  }
-  if (halved && march.there && middleThere && there)
-  {
     // The middle that gives both halves the mean of the parabola through all three (Simpson's rule);
     // but no value that lies beyond them, which the field may not take.
     const float last = march.last.value;
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
-  }
-  at = halved ? end - length : end;
-  for (;;)
-  {
-    const bool isEnd = at >= end;
-    goTo(isEnd ? value : middle, isEnd ? there : middleThere, ray, at - length, at, march);
-    if (isEnd)
+    const float units = length / float(count) * ray.worldPerHalfCell * inverseUnit;
+    for (int k = 1; k <= count; ++k)
     {
-      break;
+      const float next = k == count ? value : middle;
+      const TransferPart part = findPart(transferBins, transferKnots, next);
+      const TransferPoint point = makePoint(part, next, inverseIntegralUnit);
+      if (!first)
+      {
+        march.color += (1.0 - march.color.a) *
+          absorbBetween(
+            transferBins, transferKnots, march.last, point, part, integralUnit, units);
+      }
+      march.last = point;
     }
-    at = end;
   }
-  march.next += 1.0;
-  --march.intervals;
+  march.known = there;
+  if (!first)
+  {
+    march.entry = end;
+    march.intervals = march.cut ? (end < march.exit ? 1 : 0) : march.intervals - 1;
+  }
 }
 
 void marchOn(Ray ray, inout March march)
@@ -388,8 +385,8 @@ void main()
   March state;
   state.intervals = 0;
   state.exit = -1.0;
+  state.known = false;
   state.last.value = 0.0;
-  state.there = false;
   state.color = vec4(0.0);
   Ray ray;
   if (makeRay(f, pixel, 0.0LF, ray))

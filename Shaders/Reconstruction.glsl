@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The field at a point from a list of bricks (Wald et al. 2020, section 3). Both return false where
-// there is nothing to draw.
+// The field at a point from a list of bricks (Wald et al. 2020, section 3).
 
 uvec3 cellsOf(Brick brick)
 {
@@ -59,52 +58,22 @@ void addTents(Brick brick, vec3 q, inout float sum, inout float weight)
   weight += dot(lowerTents + upperTents, vec4(1.0));
 }
 
-// Whether the point lies in a cell of this brick that is absent.
-bool inAbsentCell(Brick brick, vec3 q)
-{
-  const uvec3 n = cellsOf(brick);
-  return (brick.dimensions & BRICK_HAS_ABSENT_CELLS) != 0u && all(greaterThanEqual(q, vec3(0.0))) &&
-    all(lessThan(q, vec3(n))) && valueAt(brick, n, uvec3(q)) < 0.0;
-}
-
-bool sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
-  float distance, out float value)
+// The point has to lie in a cell that is there: then its own tent alone weighs 1/8 at least.
+float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
+  float distance)
 {
   float sum = 0.0;
   float weight = 0.0;
-  bool absent = false;
   for (uint k = 0;; ++k)
   {
-    const vec3 q = toCells(brick, ray, distance);
-    absent = absent || inAbsentCell(brick, q);
-    addTents(brick, q, sum, weight);
+    addTents(brick, toCells(brick, ray, distance), sum, weight);
     if (k >= count)
     {
       break;
     }
     brick = bricks.items[list.items[others + k]];
   }
-  value = sum / weight;
-  return weight > 0.0 && !absent;
-}
-
-// Where the first absent cell begins on the way between two distances, of which the second is in one.
-float findAbsent(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
-  float present, float absent)
-{
-  for (int halving = 0; halving < 12; ++halving)
-  {
-    const float middle = 0.5 * (present + absent);
-    bool inside = inAbsentCell(brick, toCells(brick, ray, middle));
-    for (uint k = 0; k < count && !inside; ++k)
-    {
-      const Brick other = bricks.items[list.items[others + k]];
-      inside = inAbsentCell(other, toCells(other, ray, middle));
-    }
-    present = inside ? present : middle;
-    absent = inside ? middle : absent;
-  }
-  return absent;
+  return sum / weight;
 }
 
 // Positions are exact to about 1e-4 half cells, or some units in the last place of the distance where
@@ -117,7 +86,7 @@ float behindFace(float distance)
 // Nearest: the value of the leaf cell that the ray enters at `distance`; `end` comes as the end of
 // the region and goes as the end of the cell, if that is nearer. The field is constant in between,
 // so the integral is exact. The region lies in leaf cells, so one of its bricks holds the point; by
-// rounding it may miss them all by a hair, so take the closest.
+// rounding it may miss them all by a hair, so take the closest. False: the cell is absent.
 bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
   float distance, inout float end, out float value)
 {

@@ -25,9 +25,18 @@ TransferPart findPart(TransferBins bins, TransferKnots knots, float value)
       bin.integral, bin.opaque);
   }
   int k = int(-1.0 - bin.lower.a);
-  while (knots.items[k + 1].value <= value)
+  int end = k + int(bin.upper.a);
+  while (end - k > 1)
   {
-    ++k;
+    const int middle = (k + end) / 2;
+    if (knots.items[middle].value <= value)
+    {
+      k = middle;
+    }
+    else
+    {
+      end = middle;
+    }
   }
   const TransferKnot knot = knots.items[k];
   const float width = knots.items[k + 1].value - knot.value;
@@ -53,6 +62,16 @@ TransferPoint makePoint(TransferPart part, float value, float inverseIntegralUni
     part.integral + ivec4(inside * (part.share * part.width * inverseIntegralUnit)), part.opaque);
 }
 
+// Colour, times opacity, and opacity of a length of the ray in unit distances.
+vec4 absorb(vec4 extinction, float units)
+{
+  const float depth = extinction.a * units;
+  // 1 - exp(-depth), without the loss of digits where it is small.
+  const float alpha =
+    depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : 1.0 - exp(-depth);
+  return extinction.a > 0.0 ? extinction * (alpha / extinction.a) : vec4(0.0);
+}
+
 // Mean extinction over the values between two points. `part`: of the second one.
 vec4 meanBetween(TransferPoint from, TransferPoint to, TransferPart part, float integralUnit)
 {
@@ -62,18 +81,53 @@ vec4 meanBetween(TransferPoint from, TransferPoint to, TransferPart part, float 
     return mix(part.lower, part.upper,
       from.number == to.number ? 0.5 * (from.share + to.share) : to.share);
   }
-  const vec4 mean = vec4(to.integral - from.integral) * (integralUnit / way);
-  // Whatever opaque part is passed on the way is opaque at any length.
-  const bool opaque = from.opaque != to.opaque || (from.opaque & 1) != 0;
-  return opaque ? mean * (OPAQUE / mean.a) : mean;
+  return vec4(to.integral - from.integral) * (integralUnit / way);
 }
 
-// Colour, times opacity, and opacity of a length of the ray in unit distances.
-vec4 absorb(vec4 extinction, float units)
+// An interval that becomes opaque on its way, at any length: what is before that place, and the
+// colour there.
+vec4 absorbUpToSurface(TransferBins bins, TransferKnots knots, TransferPoint from, TransferPoint to,
+  TransferPart part, float integralUnit, float units)
 {
-  const float depth = extinction.a * units;
-  // 1 - exp(-depth), without the loss of digits where it is small.
-  const float alpha =
-    depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : 1.0 - exp(-depth);
-  return extinction.a > 0.0 ? extinction * (alpha / extinction.a) : vec4(0.0);
+  float before = from.value;
+  float behind = to.value;
+  for (int halving = 0; halving < 16; ++halving)
+  {
+    const float middle = 0.5 * (before + behind);
+    const TransferPart there = findPart(bins, knots, middle);
+    if (there.opaque == from.opaque)
+    {
+      before = middle;
+    }
+    else
+    {
+      behind = middle;
+      part = there;
+    }
+  }
+  const TransferPart last = findPart(bins, knots, before);
+  const vec4 veil =
+    absorb(meanBetween(from, makePoint(last, before, 1.0 / integralUnit), last, integralUnit),
+      units * (before - from.value) / (to.value - from.value));
+  // An opaque part too narrow to be hit has the mean colour.
+  const vec4 surface = (part.opaque & 1) != 0 ? mix(part.lower, part.upper, part.share)
+                                              : meanBetween(from, to, part, integralUnit);
+  return veil + (1.0 - veil.a) * surface / surface.a;
+}
+
+// Colour, times opacity, and opacity of an interval of some unit distances, over which the value
+// goes evenly from one point to the other. `part`: of the second one.
+vec4 absorbBetween(TransferBins bins, TransferKnots knots, TransferPoint from, TransferPoint to,
+  TransferPart part, float integralUnit, float units)
+{
+  if ((from.opaque & 1) != 0)
+  {
+    const TransferPart surface = findPart(bins, knots, from.value);
+    return mix(surface.lower, surface.upper, surface.share) / OPAQUE;
+  }
+  if (from.opaque != to.opaque)
+  {
+    return absorbUpToSurface(bins, knots, from, to, part, integralUnit, units);
+  }
+  return absorb(meanBetween(from, to, part, integralUnit), units);
 }

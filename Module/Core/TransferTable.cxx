@@ -60,7 +60,7 @@ struct Part
     const glm::dvec4 mean = this->mean();
     const glm::dvec4 off =
       glm::abs(0.5 * (extinctionOf(this->begin.color) + extinctionOf(this->end.color)) - mean);
-    return std::max({ off.r, off.g, off.b, off.a }) <= 1e-3 * mean.a;
+    return std::max({ off.r, off.g, off.b, off.a }) <= 1e-4 * mean.a;
   }
 
   // Mean of the extinction, and of the same times each colour.
@@ -207,7 +207,8 @@ TransferTable::TransferTable(const TransferFunction& transfer)
     {
       bin.lower.a = -1.0f - static_cast<float>(this->knots.size());
       this->knots.insert(this->knots.end(), inside.begin(), inside.end());
-      // Where the search ends; 1 itself is found here.
+      bin.upper.a = static_cast<float>(inside.size() + (isLastBin ? 1 : 0));
+      // Its upper end; that of the last bin holds 1 itself, and needs one more after it.
       this->knots.push_back(pieces.record(last, end));
       this->knots.back().value = hi;
       if (isLastBin)

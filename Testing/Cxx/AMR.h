@@ -36,7 +36,7 @@ struct Lattice
   std::array<double, 3> origin{ 0.0, 0.0, 0.0 };
   std::array<double, 3> spacing{ 1.0, 1.0, 1.0 }; // of level 0
   int ratio = 2;                                  // of all levels, ...
-  std::vector<int> ratios;                        // ... or of each but level 0 to the one below
+  std::vector<int> ratios{};                      // ... or of each but level 0 to the one below
 
   std::array<double, 3> SpacingOf(unsigned int level) const
   {

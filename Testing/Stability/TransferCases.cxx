@@ -109,12 +109,11 @@ std::vector<Case> transferCases()
       [] { return withNodes(constantNodes(1.0)); }, 120.0, 120.0,
       "one colour, opaque wherever a ray touches the data: 8 digits" },
     { "OpacityOneColors", "the first sample lies somewhere in the first step, not where it begins",
-      opaqueColors, 45.0, 100.0,
+      opaqueColors, 100.0, 100.0,
       "the colour is that of the value where the ray enters; nearest is exact" },
-    { "OpaqueSurface", "the surface is found up to a step too late: rings", opaqueSurface, 40.0,
-      90.0,
-      "the place where the value is passed is known as well as the field is linear in a step; "
-      "silhouettes are a pixel's yes or no" },
+    { "OpaqueSurface", "the surface is found up to a step too late: rings", opaqueSurface, 100.0,
+      100.0,
+      "the colour is that of the value where it becomes opaque, wherever in the step that is" },
     { "StepScale1000", "no interval is left; a region without a sample",
       [] { return withStep(1e3); }, 15.0, 100.0,
       "one interval a region is as good as it gets: the picture has to be there, and finite; "
