@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures how near reconstructions are to analytic fields and draws it:
+// Measures how near reconstructions are to analytic fields, and pictures to the integral of their
+// own field, and draws it:
 //
 //   AccuracyCharts <folder> [<file.csv>...]
 //
@@ -7,6 +8,7 @@
 // named after it are charts of error over step, measured elsewhere: columns chart, series, x, y.
 #include "Accuracy/Charts.h"
 #include "Accuracy/PictureAccuracy.h"
+#include "Accuracy/StepOrder.h"
 
 #include <algorithm>
 #include <array>
@@ -221,6 +223,35 @@ std::vector<std::pair<double, std::string>> stepsOf(const Chart& chart)
     : std::vector<std::pair<double, std::string>>(ticks.begin(), ticks.end());
 }
 
+Chart asStepChart(Chart chart, const std::string& y)
+{
+  chart.x = { "distance of samples / finest cell width near the ray", true, stepsOf(chart) };
+  chart.y = { y, true, {} };
+  addOrderGuides(chart);
+  return chart;
+}
+
+Chart stepChart()
+{
+  Chart chart{ "integration_error", "Integration of a field on two levels: basis, k-d tree", {}, {},
+    {} };
+  std::printf("\nintegration, order of opacity, of colour\n");
+  for (const StepScene& scene : kinkedScenes())
+  {
+    Series series;
+    series.name = scene.name;
+    const std::vector<StepError> rows = measureStepErrors(scene);
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+    {
+      series.points.emplace_back(row->stepScale, row->opacity);
+    }
+    std::printf("%-34s %5.2f %5.2f\n", scene.name.c_str(), observedOrder(rows, &StepError::opacity),
+      observedOrder(rows, &StepError::color));
+    chart.series.push_back(series);
+  }
+  return asStepChart(chart, "opacity, root mean square error");
+}
+
 std::string fileName(std::string name)
 {
   std::replace_if(
@@ -252,6 +283,7 @@ int main(int argc, char* argv[])
       { Method::Corrected, Zone::LevelBoundary }, { Method::Completed, Zone::LevelBoundary } },
     { 1, 2 }));
   charts.push_back(lineChart());
+  charts.push_back(stepChart());
   for (const Chart& chart : pictureCharts())
   {
     charts.push_back(chart);
@@ -268,10 +300,7 @@ int main(int argc, char* argv[])
     }
     for (Chart chart : read)
     {
-      chart.x = { "step / cell width", true, stepsOf(chart) };
-      chart.y = { "error", true, {} };
-      addOrderGuides(chart);
-      charts.push_back(chart);
+      charts.push_back(asStepChart(chart, "root mean square error over drawn pixels"));
     }
   }
   for (const Chart& chart : charts)

@@ -28,8 +28,8 @@ std::vector<StepError> measure(const StepScene& scene)
 
 TEST(StepOrder, OnASmoothField)
 {
-  // Simpson's rule has order 4, less where the middle is kept from overshooting. An interval's colour
-  // is the mean over its values, whichever comes first: second order.
+  // Simpson's rule has order 4, less where the middle is kept from overshooting. An interval's
+  // colour is the mean over its values, whichever comes first: second order.
   const std::vector<StepError> rows = measure(smoothScene());
   EXPECT_GE(observedOrder(rows, &StepError::opacity), 2.6);
   EXPECT_GE(observedOrder(rows, &StepError::color), 1.85);
@@ -44,9 +44,9 @@ TEST(StepOrder, OnFieldsWithKinks)
     const double order = observedOrder(rows, &StepError::opacity);
     if (scene.name.find("spike") != std::string::npos)
     {
-      // How long a ray stays in the spike depends on the field's slope, which a straight way between
-      // two samples has to first order, and not at all where a kink lies between them: a share of
-      // the rays that falls with the step. Found it is at any step.
+      // How long a ray stays in the spike depends on the field's slope, which a straight way
+      // between two samples has to first order, and not at all where a kink lies between them: a
+      // share of the rays that falls with the step. Found it is at any step.
       EXPECT_GE(order, 0.5);
       EXPECT_LE(rows.front().opacity, 0.05);
     }
