@@ -6,6 +6,7 @@
 #include "Adapters/OpenGLPicture.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Adapters/ViewInput.h"
+#include "Core/Completion.h"
 #include "Vulkan/VolumeRenderer.h"
 #include "vtkExaBricksBuilder.h"
 
@@ -35,6 +36,12 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
       static_cast<int>(vtkExaBricksBuilder::COMPONENT),
   "the mapper hands its vector mode to the builder");
 
+static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
+      static_cast<int>(exabricks::Reconstruction::Nearest) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::COMPLETED) ==
+      static_cast<int>(exabricks::Reconstruction::Completed),
+  "the mapper hands its reconstruction to the renderer");
+
 struct vtkExaBricksVolumeMapper::vtkInternals
 {
   vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
@@ -42,6 +49,14 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::OpenGLPicture Picture;
   std::vector<glm::vec4> Pixels;
   std::vector<float> Depth;
+
+  // Of the COMPLETED reconstruction: made of the builder's output when it is asked for.
+  struct CompletedLevels
+  {
+    exabricks::Completion Completion;
+    std::vector<exabricks::ValueRange> Ranges;
+  };
+  std::unique_ptr<const CompletedLevels> Completed;
 
   // What the renderer was last given.
   std::shared_ptr<const vtkExaBricksData::Contents> Contents;
@@ -66,7 +81,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   std::string CheckValues(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
   // Points the builder to the mapper's input and array; returns why it cannot.
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
-  // Hands the renderer what has changed.
+  void CompleteLevels(const vtkExaBricksData::Contents& contents);
+  // Hands the renderer what has changed. Throws std::bad_alloc.
   void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
 };
 
@@ -144,6 +160,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
     this->Builder->GetOutputDataObject(0)->Initialize();
     this->Renderer.setVolume({});
     this->Contents.reset();
+    this->Completed.reset();
     return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
   }
   vtkExaBricksBuilder* builder = this->Builder;
@@ -205,6 +222,19 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
   return {};
 }
 
+void vtkExaBricksVolumeMapper::vtkInternals::CompleteLevels(
+  const vtkExaBricksData::Contents& contents)
+{
+  const exabricks::Structure& structure = *contents.Structure;
+  const std::vector<std::int64_t>& cellWidth = structure.hierarchy.cellWidth;
+  auto levels = std::make_unique<CompletedLevels>();
+  levels->Completion =
+    exabricks::complete(structure.tree, structure.bricks, cellWidth, contents.Scalars);
+  levels->Ranges = exabricks::findValueRanges(
+    structure.tree, levels->Completion.bricks, cellWidth, levels->Completion.scalars);
+  this->Completed = std::move(levels);
+}
+
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
 {
@@ -212,10 +242,22 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
   this->Renderer.selectDevice(self->Device ? self->Device : "");
   const bool newData = contents != this->Contents;
-  if (newData)
+  const bool completed = self->Reconstruction == COMPLETED;
+  if (newData || completed != static_cast<bool>(this->Completed))
   {
-    this->Renderer.setVolume({ &contents->Structure->tree, &contents->Structure->bricks,
-      &contents->Structure->hierarchy.cellWidth, &contents->Scalars, &contents->Ranges });
+    const exabricks::Structure& structure = *contents->Structure;
+    exabricks::Volume volume{ &structure.tree, &structure.bricks, &structure.hierarchy.cellWidth,
+      &contents->Scalars, &contents->Ranges };
+    this->Renderer.setVolume({});
+    this->Completed.reset();
+    if (completed)
+    {
+      this->CompleteLevels(*contents);
+      volume.bricks = &this->Completed->Completion.bricks;
+      volume.scalars = &this->Completed->Completion.scalars;
+      volume.ranges = &this->Completed->Ranges;
+    }
+    this->Renderer.setVolume(volume);
     this->Contents = contents;
   }
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
@@ -256,7 +298,9 @@ void vtkExaBricksVolumeMapper::SetInputData(vtkOverlappingAMR* amr)
 
 const char* vtkExaBricksVolumeMapper::GetReconstructionAsString()
 {
-  return this->Reconstruction == NEAREST ? "Nearest" : "Basis";
+  return this->Reconstruction == NEAREST ? "Nearest"
+    : this->Reconstruction == COMPLETED  ? "Completed"
+                                         : "Basis";
 }
 
 const char* vtkExaBricksVolumeMapper::GetTraversalAsString()
@@ -381,8 +425,16 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
-  internals.UpdateRenderer(this, property);
   std::string fault = internals.CheckValues(this, property);
+  try
+  {
+    internals.UpdateRenderer(this, property);
+  }
+  catch (const std::bad_alloc&)
+  {
+    internals.Contents.reset();
+    fault = "out of memory on the host";
+  }
 
   const auto viewport = exabricks::OpenGLPicture::findViewport(ren);
   if (fault.empty() && viewport.width > 0 && viewport.height > 0)
@@ -392,8 +444,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     view.height = viewport.height;
     const bool hasDepth = exabricks::OpenGLPicture::readDepth(ren, viewport, internals.Depth);
     view.depth = hasDepth ? internals.Depth.data() : nullptr;
-    view.reconstruction = this->Reconstruction == NEAREST ? exabricks::Reconstruction::Nearest
-                                                          : exabricks::Reconstruction::Basis;
+    view.reconstruction = static_cast<exabricks::Reconstruction>(this->Reconstruction);
     view.stepScale = this->StepScale;
     view.opacityUnitDistance = property->GetScalarOpacityUnitDistance(0);
     view.terminationOpacity = this->EarlyTerminationOpacity;

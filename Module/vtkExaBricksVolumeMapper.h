@@ -53,18 +53,25 @@ public:
 
   ///@{
   /**
-   * How values between cells are found: by the tent basis (default), which is continuous also
-   * across levels, or as the value of the leaf cell that holds the point.
+   * How values between cells are found. BASIS (default): the mean of the cells' values weighted
+   * with their tents, continuous also across levels. NEAREST: the value of the leaf cell that holds
+   * the point. COMPLETED: trilinear interpolation in each level, whose lattice is completed by
+   * values extrapolated from the other levels beside it, and between the levels the mean weighted
+   * with the tents. Continuous, and exact for linear fields across levels, where the basis is off
+   * by up to half a fine cell for a ratio of 2; costs as much time a picture as the basis, and
+   * memory for one layer of cells more around each brick.
    */
   enum ReconstructionType
   {
     BASIS = 0,
-    NEAREST = 1
+    NEAREST = 1,
+    COMPLETED = 2
   };
-  vtkSetClampMacro(Reconstruction, int, BASIS, NEAREST);
+  vtkSetClampMacro(Reconstruction, int, BASIS, COMPLETED);
   vtkGetMacro(Reconstruction, int);
   void SetReconstructionToBasis() { this->SetReconstruction(BASIS); }
   void SetReconstructionToNearest() { this->SetReconstruction(NEAREST); }
+  void SetReconstructionToCompleted() { this->SetReconstruction(COMPLETED); }
   const char* GetReconstructionAsString();
   ///@}
 

@@ -10,6 +10,10 @@
 
 #include "Buffers.glsl"
 #include "Ray.glsl"
+
+layout(constant_id = 0) const bool nearest = false;
+layout(constant_id = 1) const bool completed = false; // neither: basis
+
 #include "Reconstruction.glsl"
 #include "TransferFunction.glsl"
 
@@ -26,7 +30,6 @@ float inverseUnit;
 float integralUnit;
 float inverseIntegralUnit;
 float terminationOpacity;
-layout(constant_id = 0) const bool nearest = false;
 
 // What a lane knows of the region it is in, and what it has gathered.
 struct March

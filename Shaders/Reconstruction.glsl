@@ -13,9 +13,18 @@ vec3 toCells(Brick brick, Ray ray, float distance)
     (0.5 / float(brick.width));
 }
 
+// Where the value of a cell is. Completed bricks have a layer of one more around them, from -1 on.
+uint placeOf(uvec3 n, ivec3 cell)
+{
+  const uint layer = completed ? 1u : 0u;
+  const uvec3 at = uvec3(cell + int(layer));
+  const uvec3 size = n + 2u * layer;
+  return at.x + size.x * (at.y + size.y * at.z);
+}
+
 float valueAt(Brick brick, uvec3 n, uvec3 cell)
 {
-  return Values(brick.values).items[cell.x + n.x * (cell.y + n.y * cell.z)];
+  return Values(brick.values).items[placeOf(n, ivec3(cell))];
 }
 
 // Basis: the mean of the cells' values weighted with their tents, B = sum H_c v_c / sum H_c. Within
@@ -58,6 +67,53 @@ void addTents(Brick brick, vec3 q, inout float sum, inout float weight)
   weight += dot(lowerTents + upperTents, vec4(1.0));
 }
 
+// Completed: W_l T_l / sum of W_l over the levels l. W_l is the sum of the level's tents, as in the
+// basis; T_l interpolates all eight lattice points of the level around the point, those too that are
+// none of its leaf cells. Bricks of a level agree on T_l, so each adds it with its own tents' weight.
+void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
+{
+  const uvec3 n = cellsOf(brick);
+  q -= 0.5;
+  const vec3 h = max(1.0 - abs(q - clamp(q, vec3(0.0), vec3(n) - 1.0)), 0.0);
+  const float w = h.x * h.y * h.z;
+  if (w <= 0.0)
+  {
+    return;
+  }
+  const vec3 i = floor(q); // -1 to n - 1
+  const vec3 f = q - i;
+  const uint dy = n.x + 2u;
+  const uint dz = dy * (n.y + 2u);
+  const uint at = placeOf(n, ivec3(i));
+  Values values = Values(brick.values);
+  const vec4 lower =
+    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
+  const vec4 upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
+    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+  if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    const vec4 xy = mix(lower, upper, f.z);
+    const vec2 x = mix(xy.xy, xy.zw, f.y);
+    sum += w * mix(x.x, x.y, f.x);
+    weight += w;
+    return;
+  }
+  const vec4 tents = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  const vec4 lowerTents = tents * (1.0 - f.z) * vec4(greaterThanEqual(lower, vec4(0.0)));
+  const vec4 upperTents = tents * f.z * vec4(greaterThanEqual(upper, vec4(0.0)));
+  // those of the brick's own cells
+  const vec3 first = vec3(greaterThanEqual(i, vec3(0.0)));
+  const vec3 last = vec3(lessThan(i, vec3(n) - 1.0));
+  const vec4 own = vec4(first.x * first.y, last.x * first.y, first.x * last.y, last.x * last.y);
+  const float there = dot(own, lowerTents * first.z + upperTents * last.z);
+  if (there > 0.0)
+  {
+    sum += there * (dot(lowerTents, lower) + dot(upperTents, upper)) /
+      dot(lowerTents + upperTents, vec4(1.0));
+    weight += there;
+  }
+}
+
 // The point has to lie in a cell that is there: then its own tent alone weighs 1/8 at least.
 float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
   float distance)
@@ -66,7 +122,15 @@ float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint co
   float weight = 0.0;
   for (uint k = 0;; ++k)
   {
-    addTents(brick, toCells(brick, ray, distance), sum, weight);
+    const vec3 q = toCells(brick, ray, distance);
+    if (completed)
+    {
+      addCompleted(brick, q, sum, weight);
+    }
+    else
+    {
+      addTents(brick, q, sum, weight);
+    }
     if (k >= count)
     {
       break;

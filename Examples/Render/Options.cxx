@@ -139,10 +139,10 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
 
   const std::string method = "Method";
   app
-    .add_option(
-      "--reconstruction", o.Reconstruction, "Between cell centres: basis or nearest [basis]")
+    .add_option("--reconstruction", o.Reconstruction,
+      "Between cell centres: basis, nearest or completed [basis]")
     ->type_name("KIND")
-    ->check(CLI::IsMember({ "basis", "nearest" }))
+    ->check(CLI::IsMember({ "basis", "nearest", "completed" }))
     ->group(method);
   app.add_option("--step-scale", o.StepScale, "Step along a ray, in cells [1]; 0.5 draws smoother")
     ->type_name("S")

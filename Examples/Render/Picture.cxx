@@ -83,6 +83,10 @@ void Picture::SetUpMapper(const std::string& array, int components)
   {
     mapper->SetReconstructionToNearest();
   }
+  else if (this->Asked.Reconstruction == "completed")
+  {
+    mapper->SetReconstructionToCompleted();
+  }
   else
   {
     mapper->SetReconstructionToBasis();

@@ -5,6 +5,7 @@
 
 #include "Core/LeafBoxes.h"
 
+#include <glm/ext/vector_int3_sized.hpp>
 #include <glm/vec3.hpp>
 
 namespace exabricks
@@ -19,6 +20,12 @@ struct Brick
   std::uint64_t numberOfCells() const
   {
     return static_cast<std::uint64_t>(this->cells.x) * this->cells.y * this->cells.z;
+  }
+  /// With `layer` cells more on every side.
+  std::uint64_t numberOfValues(int layer) const
+  {
+    const glm::i64vec3 n(this->cells + 2 * layer);
+    return static_cast<std::uint64_t>(n.x * n.y * n.z);
   }
   Box box(std::int64_t cellWidth) const
   {

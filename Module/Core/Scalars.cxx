@@ -129,9 +129,6 @@ private:
   const BlockIndex Index;
 };
 
-// With fewer cells than this, starting the threads takes longer than the work.
-constexpr std::uint64_t ParallelCells = 1 << 17;
-
 std::uint64_t countCells(const std::vector<Brick>& bricks)
 {
   return bricks.empty() ? 0 : bricks.back().firstValue + bricks.back().numberOfCells();
@@ -247,18 +244,20 @@ std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vecto
       {
         const std::int64_t lo = region.lo[axis] - origin[axis];
         const std::int64_t hi = region.hi[axis] - origin[axis];
-        first[axis] =
-          static_cast<int>(std::max<std::int64_t>(floorDivide(lo - 3 * width, 2 * width) + 1, 0));
-        last[axis] = static_cast<int>(
-          std::min<std::int64_t>(-floorDivide(-(hi + width), 2 * width), brick.cells[axis]));
+        first[axis] = static_cast<int>(
+          std::max<std::int64_t>(floorDivide(lo - 3 * width, 2 * width) + 1, -scalars.layer));
+        last[axis] = static_cast<int>(std::min<std::int64_t>(
+          -floorDivide(-(hi + width), 2 * width), brick.cells[axis] + scalars.layer));
       }
+      first += scalars.layer;
+      last += scalars.layer;
+      const glm::ivec3 n = brick.cells + 2 * scalars.layer;
       const float* values = scalars.values.data() + brick.firstValue;
       for (int z = first.z; z < last.z; ++z)
       {
         for (int y = first.y; y < last.y; ++y)
         {
-          const float* row =
-            values + brick.cells.x * (y + static_cast<std::size_t>(brick.cells.y) * z);
+          const float* row = values + n.x * (y + static_cast<std::size_t>(n.y) * z);
           for (int x = first.x; x < last.x; ++x)
           {
             const float value = row[x];

@@ -54,10 +54,14 @@ struct Range
   }
 };
 
+// With fewer cells than this, starting the threads takes longer than the work.
+constexpr std::uint64_t ParallelCells = 1 << 17;
+
 struct Scalars
 {
   Range range;               // of the leaf cells that are there, as the source gave it
   std::vector<float> values; // [Brick::firstValue ...], in [0, 1], or layout::ABSENT
+  int layer = 0;             // cells around each brick that have values too: see Completion
   std::vector<unsigned char> brickHasAbsentCells;
   std::uint64_t absentCells = 0;
 };

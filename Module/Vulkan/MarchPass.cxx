@@ -5,6 +5,7 @@
 #include "MarchRayQuerySpirv.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace exabricks
@@ -41,10 +42,13 @@ MarchPass::MarchPass(
   const vk::raii::ShaderModule shader(this->Owner->handle(),
     vk::ShaderModuleCreateInfo({}, rayQuery ? sizeof(MarchRayQuerySpirv) : sizeof(MarchKdTreeSpirv),
       rayQuery ? MarchRayQuerySpirv : MarchKdTreeSpirv));
-  // A constant, so that the code of one reconstruction alone is compiled.
-  const vk::Bool32 nearest = reconstruction == Reconstruction::Nearest;
-  const vk::SpecializationMapEntry entry(0, 0, sizeof(nearest));
-  const vk::SpecializationInfo constants(1, &entry, sizeof(nearest), &nearest);
+  // Constants, so that the code of one reconstruction alone is compiled.
+  const std::array<vk::Bool32, 2> values{ reconstruction == Reconstruction::Nearest,
+    reconstruction == Reconstruction::Completed };
+  const std::array<vk::SpecializationMapEntry, 2> entries{ vk::SpecializationMapEntry(
+                                                             0, 0, sizeof(vk::Bool32)),
+    vk::SpecializationMapEntry(1, sizeof(vk::Bool32), sizeof(vk::Bool32)) };
+  const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
   this->Pipeline = vk::raii::Pipeline(

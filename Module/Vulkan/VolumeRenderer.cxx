@@ -125,6 +125,7 @@ struct VolumeRenderer::Internals
     const RegionTree& tree = *this->Subject.tree;
     const vk::DeviceSize largest =
       std::min<vk::DeviceSize>(LargestValueBuffer, vulkan::faults().largestValueBuffer);
+    const int layer = this->Subject.scalars->layer;
     std::vector<layout::Brick> records;
     records.reserve(bricks.size());
     for (std::size_t first = 0; first < bricks.size();)
@@ -134,10 +135,10 @@ struct VolumeRenderer::Internals
       std::size_t last = first;
       for (; last < bricks.size() &&
            (last == first ||
-             (end - begin + bricks[last].numberOfCells()) * sizeof(float) <= largest);
+             (end - begin + bricks[last].numberOfValues(layer)) * sizeof(float) <= largest);
            ++last)
       {
-        end += bricks[last].numberOfCells();
+        end += bricks[last].numberOfValues(layer);
       }
       const vk::DeviceSize bytes = (end - begin) * sizeof(float);
       this->Values.emplace_back(
@@ -260,6 +261,11 @@ struct VolumeRenderer::Internals
     {
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
+    }
+    if ((view.reconstruction == Reconstruction::Completed) != (this->Subject.scalars->layer == 1))
+    {
+      throw vulkan::Failure("the volume's scalars do not fit the reconstruction: completed ones, "
+                            "with a layer around each brick, are for Completed alone");
     }
     const Stopwatch watch;
     layout::Frame frame{};

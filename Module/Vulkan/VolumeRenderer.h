@@ -25,7 +25,8 @@ enum class Traversal
 enum class Reconstruction
 {
   Basis,
-  Nearest
+  Nearest,
+  Completed // with scalars that have a layer around each brick (Completion)
 };
 
 /// Bricks, regions and values to draw. Nothing is copied: all must live as long as it is set.

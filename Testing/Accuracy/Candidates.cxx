@@ -112,6 +112,17 @@ Candidates::Candidates(
           this->Complete(l, cell);
         }
       });
+    // Beyond the bounds the value stays, also that of a cell that is no leaf cell itself.
+    forEachCell(level.bounds,
+      [&](const Int3& cell)
+      {
+        const Int3 inside = glm::clamp(
+          cell, leaves.bounds.lo / level.width, leaves.bounds.hi / level.width - std::int64_t(1));
+        if (inside != cell)
+        {
+          level.completedInside[level.at(cell)] = level.completedInside[level.at(inside)];
+        }
+      });
   }
 }
 

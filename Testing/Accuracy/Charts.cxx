@@ -235,8 +235,7 @@ bool drawChart(const Chart& chart, const std::string& file)
       line->SetMarkerStyle(look.marker);
       line->SetMarkerSize(14.0f);
       // Colours begin anew: dashed now.
-      line->GetPen()->SetLineType(
-        next < std::size(looks) ? vtkPen::SOLID_LINE : vtkPen::DASH_LINE);
+      line->GetPen()->SetLineType(next < std::size(looks) ? vtkPen::SOLID_LINE : vtkPen::DASH_LINE);
     }
     else if (next > 0)
     {

@@ -107,7 +107,7 @@ int TestMapperInterface(int, char*[])
   mapper->SetEarlyTerminationOpacity(2.0);
   checks.Equal(mapper->GetEarlyTerminationOpacity(), 1.0, "greatest early termination");
   mapper->SetReconstruction(17);
-  checks.Expect(mapper->GetReconstructionAsString() == std::string("Nearest"), "reconstruction");
+  checks.Expect(mapper->GetReconstructionAsString() == std::string("Completed"), "reconstruction");
   mapper->SetTraversal(-1);
   checks.Expect(mapper->GetTraversalAsString() == std::string("Automatic"), "traversal");
   mapper->SetVectorComponent(-3);
@@ -115,7 +115,7 @@ int TestMapperInterface(int, char*[])
 
   // Printing names every member.
   checks.Says(print(mapper),
-    { "Reconstruction: Nearest", "StepScale: 1000", "Traversal: Automatic",
+    { "Reconstruction: Completed", "StepScale: 1000", "Traversal: Automatic",
       "EarlyTerminationOpacity: 1", "VectorMode: Magnitude", "VectorComponent: 0", "Device: (best)",
       "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "DeviceMemory: " },
     "print of the mapper");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two reconstructions (above nearest, below basis) and two traversals, which give the same picture;
+// Reconstructions (above nearest, below basis) and two traversals, which give the same picture;
 // and how the length of steps and early termination show.
 
 #include "AMR.h"
@@ -66,6 +66,34 @@ void checkTwoLevels(test::Checks& checks)
       "across levels at " + std::to_string(x));
   }
 }
+
+// A linear field across levels: completed draws it as it is, the basis leans to the coarse side.
+void checkLinearField(test::Checks& checks)
+{
+  test::Stage stage(
+    test::makeAMR({ { 0, { 0, 0, 0 }, { 8, 4, 4 } }, { 1, { 8, 0, 0 }, { 8, 8, 8 } } },
+      [](double x, double, double) { return x / 8.0; }),
+    Size);
+  test::setConstantColor(stage.Property(), 1.0, { 0.0, 0.0, 0.0 });
+  stage.Property()->GetRGBTransferFunction()->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+  test::lookAlongZ(stage.renderer, 4.0, 2.0, 2.0, 4.0);
+  const test::Picture basis(stage.window);
+  stage.mapper->SetReconstructionToCompleted();
+  const test::Picture completed(stage.window);
+  double leaning = 0.0;
+  for (int pixel = 1; pixel < Size; ++pixel)
+  {
+    const double x = 2.0 + 4.0 * (pixel + 0.5) / Size;
+    checks.Near(completed.At(pixel, Size / 2)[0], x / 8.0, test::OneStep,
+      "completed at " + std::to_string(x));
+    leaning = std::max(leaning, x / 8.0 - basis.At(pixel, Size / 2)[0]);
+  }
+  // Half a fine cell of 1/2 at a slope of 1/8.
+  checks.Near(leaning, 0.03125, 1.5 * test::OneStep, "the basis leans to the coarse side");
+  // And back again: the volume is made anew each time.
+  stage.mapper->SetReconstructionToBasis();
+  checks.Near(test::Picture(stage.window).Difference(basis), 0.0, 0.0, "basis again");
+}
 }
 
 int TestReconstructions(int argc, char* argv[])
@@ -74,6 +102,7 @@ int TestReconstructions(int argc, char* argv[])
   const test::KeepDisplay display;
   checkTwoCells(checks);
   checkTwoLevels(checks);
+  checkLinearField(checks);
 
   const std::vector<test::Block> blocks{ { 0, { 0, 0, 0 }, { 8, 8, 8 } },
     { 1, { 4, 4, 4 }, { 8, 8, 8 } }, { 2, { 16, 8, 16 }, { 8, 8, 8 } } };

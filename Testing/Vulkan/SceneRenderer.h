@@ -3,6 +3,7 @@
 #ifndef ExaBricksTestingSceneRenderer_h
 #define ExaBricksTestingSceneRenderer_h
 
+#include "Core/Completion.h"
 #include "Core/Structure.h"
 #include "Reference/Oracle.h"
 #include "Reference/Scenes.h"
@@ -33,6 +34,20 @@ struct SceneRenderer
     this->renderer.setVolume({ &this->structure.tree, &this->structure.bricks,
       &this->structure.hierarchy.cellWidth, &this->scalars, &this->ranges });
     this->setTransfer(layeredTransfer());
+  }
+
+  /// Draws what is completed across levels from here on.
+  void complete()
+  {
+    const std::vector<std::int64_t>& width = this->structure.hierarchy.cellWidth;
+    this->completion =
+      exabricks::complete(this->structure.tree, this->structure.bricks, width, this->scalars);
+    this->completedRanges = findValueRanges(
+      this->structure.tree, this->completion.bricks, width, this->completion.scalars);
+    this->renderer.setVolume({ &this->structure.tree, &this->completion.bricks, &width,
+      &this->completion.scalars, &this->completedRanges });
+    this->Check(this->renderer.prepare());
+    this->reconstruction = Reconstruction::Completed;
   }
 
   void setTransfer(const TransferFunction& function)
@@ -89,6 +104,8 @@ struct SceneRenderer
   const Structure structure;
   const Scalars scalars;
   const std::vector<ValueRange> ranges;
+  Completion completion;
+  std::vector<ValueRange> completedRanges;
   VolumeRenderer renderer;
   TransferFunction transfer;
   double opacityUnitDistance = 1.0;

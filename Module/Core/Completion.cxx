@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Completion.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace exabricks
+{
+namespace
+{
+// Positions are in half cells from the lower corner of the bounds, as in the tree.
+struct Cell
+{
+  int brick = -1; // none
+  glm::ivec3 at{ 0 };
+
+  bool operator==(const Cell& other) const
+  {
+    return this->brick == other.brick && this->at == other.at;
+  }
+};
+
+class Completer
+{
+public:
+  Completer(const RegionTree& tree, const std::vector<Brick>& bricks,
+    const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
+    : Tree(tree)
+    , Bricks(bricks)
+    , CellWidth(cellWidth)
+    , Values(scalars.values)
+  {
+    this->Origins.reserve(bricks.size());
+    for (const Brick& brick : bricks)
+    {
+      this->Origins.emplace_back((brick.lo - tree.bounds.lo) * std::int64_t(2));
+    }
+  }
+
+  // Returns whether any of the values is absent.
+  bool complete(int b, float* to)
+  {
+    const glm::ivec3 n = this->Bricks[b].cells;
+    const float* from = this->Values.data() + this->Bricks[b].firstValue;
+    bool absent = false;
+    glm::ivec3 c;
+    for (c.z = -1; c.z <= n.z; ++c.z)
+    {
+      for (c.y = -1; c.y <= n.y; ++c.y)
+      {
+        const bool inside = c.z >= 0 && c.z < n.z && c.y >= 0 && c.y < n.y;
+        for (c.x = -1; c.x <= n.x; ++c.x)
+        {
+          const bool own = inside && c.x >= 0 && c.x < n.x;
+          *to = own ? *from++ : this->ValueBeside(b, this->Center({ b, c }));
+          absent = absent || *to < 0.0f;
+          ++to;
+        }
+      }
+    }
+    return absent;
+  }
+
+private:
+  int Width(int b) const { return static_cast<int>(this->CellWidth[this->Bricks[b].level]); }
+
+  glm::ivec3 Center(const Cell& cell) const
+  {
+    return this->Origins[cell.brick] + (2 * cell.at + 1) * this->Width(cell.brick);
+  }
+
+  float Value(const Cell& cell) const
+  {
+    const Brick& brick = this->Bricks[cell.brick];
+    return this->Values[brick.firstValue + cell.at.x +
+      brick.cells.x * (cell.at.y + static_cast<std::size_t>(brick.cells.y) * cell.at.z)];
+  }
+
+  // The brick's cell that holds the point; of two that share it, the one above or below.
+  bool CellOf(int b, const glm::ivec3& p, const glm::ivec3& above, Cell& cell) const
+  {
+    // Faces are at whole half cells: half a cell down is in the cell below.
+    const glm::ivec3 off = p - this->Origins[b] + above - 1;
+    const int width = 2 * this->Width(b);
+    const glm::ivec3 n = this->Bricks[b].cells;
+    if (off.x < 0 || off.y < 0 || off.z < 0)
+    {
+      return false;
+    }
+    const glm::ivec3 at = off / width;
+    if (at.x >= n.x || at.y >= n.y || at.z >= n.z)
+    {
+      return false;
+    }
+    cell = { b, at };
+    return true;
+  }
+
+  Cell Find(const glm::ivec3& p, const glm::ivec3& above)
+  {
+    Cell cell;
+    if (this->Last >= 0 && this->CellOf(this->Last, p, above, cell))
+    {
+      return cell;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (p[axis] + above[axis] <= 0 || p[axis] + above[axis] > this->Tree.size[axis])
+      {
+        return cell;
+      }
+    }
+    const layout::KdNode* node = this->Tree.nodes.data();
+    while ((node->link & 3u) != layout::KD_LEAF)
+    {
+      const int axis = static_cast<int>(node->link & 3u);
+      node = &this->Tree.nodes[(node->link >> 2) + (p[axis] + above[axis] > node->plane)];
+    }
+    const layout::Region& region = this->Tree.regions[node->link >> 2];
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      const int b = static_cast<int>(this->Tree.brickLists[region.firstBrick + k]);
+      if (this->CellOf(b, p, above, cell))
+      {
+        this->Last = b;
+        return cell;
+      }
+    }
+    return cell;
+  }
+
+  // Calls visit(cell, share of the face) for the leaf cells that are there and touch a face.
+  template <typename Visitor>
+  void ForEachFaceNeighbour(const Cell& cell, const Visitor& visit)
+  {
+    const glm::ivec3 n = this->Bricks[cell.brick].cells;
+    for (int face = 0; face < 6; ++face)
+    {
+      const int axis = face / 2;
+      Cell beside = cell;
+      beside.at[axis] += face % 2 ? 1 : -1;
+      if (beside.at[axis] < 0 || beside.at[axis] >= n[axis])
+      {
+        const int width = this->Width(cell.brick);
+        glm::ivec3 corner = this->Origins[cell.brick] + 2 * width * cell.at;
+        corner[axis] += face % 2 ? 2 * width : 0;
+        this->VisitSquare(corner, face, this->Bricks[cell.brick].level, 1.0, visit);
+      }
+      else if (this->Value(beside) >= 0.0f)
+      {
+        visit(beside, 1.0);
+      }
+    }
+  }
+
+  // The leaf cells across a square of the width of the level's cells.
+  template <typename Visitor>
+  void VisitSquare(
+    const glm::ivec3& corner, int face, int level, double share, const Visitor& visit)
+  {
+    glm::ivec3 above(1);
+    above[face / 2] = face % 2;
+    const Cell cell = this->Find(corner, above);
+    if (cell.brick < 0)
+    {
+      return;
+    }
+    if (this->Bricks[cell.brick].level <= level)
+    {
+      if (this->Value(cell) >= 0.0f)
+      {
+        visit(cell, share);
+      }
+      return;
+    }
+    const int width = static_cast<int>(this->CellWidth[level + 1]);
+    const int n = static_cast<int>(this->CellWidth[level]) / width;
+    for (int i = 0; i < n * n; ++i)
+    {
+      glm::ivec3 part = corner;
+      part[(face / 2 + 1) % 3] += 2 * width * (i % n);
+      part[(face / 2 + 2) % 3] += 2 * width * (i / n);
+      this->VisitSquare(part, face, level + 1, share / (n * n), visit);
+    }
+  }
+
+  // What the cell says of the point: by the plane that fits the cells across its faces best,
+  // weighted with 1 / distance^2, which are central differences inside a level.
+  double Extend(const Cell& cell, const glm::ivec3& p)
+  {
+    if (!(cell == this->Fitted))
+    {
+      const double value = this->Value(cell);
+      const glm::ivec3 middle = this->Center(cell);
+      glm::dmat3 matrix(1e-12); // where there is no neighbour, no slope
+      glm::dvec3 right(0.0);
+      this->ForEachFaceNeighbour(cell,
+        [&](const Cell& neighbour, double share)
+        {
+          const glm::dvec3 off(this->Center(neighbour) - middle);
+          const double difference = this->Value(neighbour) - value;
+          const double weight = share / glm::dot(off, off);
+          matrix += glm::outerProduct(off, off) * weight;
+          right += off * (weight * difference);
+        });
+      this->Fitted = cell;
+      this->Slope = glm::inverse(matrix) * right;
+    }
+    return this->Value(cell) + glm::dot(this->Slope, glm::dvec3(p - this->Center(cell)));
+  }
+
+  // Of the cell of the brick's level with this centre, outside the brick.
+  float ValueBeside(int b, const glm::ivec3& p)
+  {
+    const int level = this->Bricks[b].level;
+    Cell holding[8];
+    int count = 0;
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      const Cell cell = this->Find(p, glm::ivec3(octant & 1, octant >> 1 & 1, octant >> 2 & 1));
+      if (cell.brick >= 0 && std::find(holding, holding + count, cell) == holding + count)
+      {
+        if (this->Bricks[cell.brick].level == level)
+        {
+          return this->Value(cell);
+        }
+        holding[count++] = cell;
+        if (this->Bricks[cell.brick].level < level) // it holds the centre inside
+        {
+          break;
+        }
+      }
+    }
+    if (count == 0)
+    {
+      const glm::ivec3 inside =
+        glm::clamp(p, glm::ivec3(this->Width(b)), this->Tree.size - this->Width(b));
+      return inside == p ? this->ValueInHole(b, p) : this->ValueBeside(b, inside);
+    }
+    double sum = 0.0;
+    int there = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      if (this->Value(holding[i]) >= 0.0f)
+      {
+        sum += this->Extend(holding[i], p);
+        ++there;
+      }
+    }
+    if (there == 0)
+    {
+      return layout::ABSENT;
+    }
+    return static_cast<float>(glm::clamp(sum / there, 0.0, 1.0));
+  }
+
+  float ValueInHole(int b, const glm::ivec3& p)
+  {
+    double sum = 0.0;
+    int count = 0;
+    int nearest = 4;
+    for (int i = 0; i < 27; ++i)
+    {
+      const glm::ivec3 off = glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+      const int distance = off.x * off.x + off.y * off.y + off.z * off.z;
+      if (distance > nearest)
+      {
+        continue;
+      }
+      const Cell cell = this->Find(p + 2 * this->Width(b) * off, glm::ivec3(1));
+      if (cell.brick >= 0 && this->Bricks[cell.brick].level == this->Bricks[b].level &&
+        this->Value(cell) >= 0.0f)
+      {
+        sum = distance < nearest ? 0.0 : sum;
+        count = distance < nearest ? 0 : count;
+        nearest = distance;
+        sum += this->Value(cell);
+        ++count;
+      }
+    }
+    return count > 0 ? static_cast<float>(sum / count) : layout::ABSENT;
+  }
+
+  const RegionTree& Tree;
+  const std::vector<Brick>& Bricks;
+  const std::vector<std::int64_t>& CellWidth;
+  const std::vector<float>& Values;
+  std::vector<glm::ivec3> Origins;
+  int Last = -1; // brick found last
+  Cell Fitted;   // of Extend
+  glm::dvec3 Slope{ 0.0 };
+};
+}
+
+Completion complete(const RegionTree& tree, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
+{
+  Completion completion;
+  completion.bricks = bricks;
+  std::uint64_t count = 0;
+  for (Brick& brick : completion.bricks)
+  {
+    brick.firstValue = count;
+    count += brick.numberOfValues(1);
+  }
+  Scalars& completed = completion.scalars;
+  completed.layer = 1;
+  completed.range = scalars.range;
+  completed.absentCells = scalars.absentCells;
+  completed.values.resize(count);
+  completed.brickHasAbsentCells.resize(bricks.size());
+#pragma omp parallel if (count > ParallelCells)
+  {
+    Completer completer(tree, bricks, cellWidth, scalars);
+#pragma omp for schedule(dynamic, 2)
+    for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
+    {
+      completed.brickHasAbsentCells[b] = completer.complete(
+        static_cast<int>(b), completed.values.data() + completion.bricks[b].firstValue);
+    }
+  }
+  return completion;
+}
+}
