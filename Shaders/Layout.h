@@ -61,17 +61,16 @@ EXABRICKS_CONST uint KD_LEAF = 3u;
 EXABRICKS_CONST uint KD_NO_REGION = (1u << 30) - 1u; // a leaf with nothing to draw
 
 // The transfer function as extinction, -ln(1 - opacity of the unit distance), times red, green,
-// blue, 1: piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin without a control
-// point inside is the line between its ends. One with control points inside names, in
-// lower.a = -(1 + first), its first knot, which stands at its lower end, and, in upper.a, how many
-// there are up to that at its upper end.
+// blue, 1: piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin that is not the
+// line between its ends (there are control points inside, or extinction bends) has lower.a = -1,
+// and knots: integral.x is the first one's index, which stands at its lower end, integral.y how
+// many there are up to that at its upper end.
 //
 // Beside them the integral over values, from 0 to the bin's lower end or to the knot, in units of
-// Frame.integralUnit: as integers, so that differences of close ones are exact. And of the part from
-// there on: 2 * (number of parts of opacity 1 before it) + (1 if it is one).
+// Frame.integralUnit: as integers, so that differences of close ones are exact. And of the part
+// from there on: 2 * (number of parts of opacity 1 before it) + (1 if it is one).
 EXABRICKS_CONST int TRANSFER_BINS = 1024;
-EXABRICKS_CONST float OPAQUE = 1e30f; // extinction of parts of opacity 1, ...
-EXABRICKS_CONST float DENSEST = 16.635532f; // ... and in integrals: of an opacity of 1 - 2^-24
+EXABRICKS_CONST float DENSEST = 16.635532f; // extinction of an opacity of 1 - 2^-24: taken for 1
 struct TransferBin
 {
   vec4 lower;

@@ -140,8 +140,8 @@ void marchInterval(Ray ray, inout March march)
       value = sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
         first ? march.entry : k == count ? end : march.entry + 0.5 * length);
     }
-    // The middle that gives both halves the mean of the parabola through all three (Simpson's rule);
-    // but no value that lies beyond them, which the field may not take.
+    // The middle that gives the halves together the mean of the parabola through all three (Simpson's
+    // rule); but no value that lies beyond them, which the field may not take.
     const float last = march.last.value;
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));

@@ -137,7 +137,7 @@ float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint co
     }
     brick = bricks.items[list.items[others + k]];
   }
-  return sum / weight;
+  return clamp(sum / weight, 0.0, 1.0); // which rounding may pass
 }
 
 // Positions are exact to about 1e-4 half cells, or some units in the last place of the distance where

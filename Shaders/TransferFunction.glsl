@@ -17,15 +17,15 @@ struct TransferPart
 TransferPart findPart(TransferBins bins, TransferKnots knots, float value)
 {
   const float x = clamp(value, 0.0, 1.0) * float(TRANSFER_BINS);
-  const int i = min(int(x), TRANSFER_BINS - 1);
+  const int i = clamp(int(x), 0, TRANSFER_BINS - 1);
   const TransferBin bin = bins.items[i];
   if (bin.lower.a >= 0.0)
   {
     return TransferPart(i, x - float(i), 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,
       bin.integral, bin.opaque);
   }
-  int k = int(-1.0 - bin.lower.a);
-  int end = k + int(bin.upper.a);
+  int k = bin.integral.x;
+  int end = k + bin.integral.y;
   while (end - k > 1)
   {
     const int middle = (k + end) / 2;
@@ -56,19 +56,20 @@ struct TransferPoint
 
 TransferPoint makePoint(TransferPart part, float value, float inverseIntegralUnit)
 {
-  const vec4 inside = mix(part.lower, part.upper, 0.5 * part.share) *
-    ((part.opaque & 1) != 0 ? DENSEST / OPAQUE : 1.0);
+  const vec4 inside = mix(part.lower, part.upper, 0.5 * part.share);
   return TransferPoint(value, part.number, part.share,
     part.integral + ivec4(inside * (part.share * part.width * inverseIntegralUnit)), part.opaque);
 }
 
-// Colour, times opacity, and opacity of a length of the ray in unit distances.
+// Colour, times opacity, and opacity of a length of the ray in unit distances. What is opaque is so
+// at any length.
 vec4 absorb(vec4 extinction, float units)
 {
   const float depth = extinction.a * units;
   // 1 - exp(-depth), without the loss of digits where it is small.
-  const float alpha =
+  float alpha =
     depth < 0.02 ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0))) : 1.0 - exp(-depth);
+  alpha = extinction.a > 0.99999 * DENSEST ? 1.0 : alpha;
   return extinction.a > 0.0 ? extinction * (alpha / extinction.a) : vec4(0.0);
 }
 
@@ -76,12 +77,14 @@ vec4 absorb(vec4 extinction, float units)
 vec4 meanBetween(TransferPoint from, TransferPoint to, TransferPart part, float integralUnit)
 {
   const float way = to.value - from.value;
-  if (from.number == to.number || abs(way) < 1e-5)
+  const ivec4 between = to.integral - from.integral;
+  // Quotients of small differences have few digits: then the function is as good as constant.
+  if (from.number == to.number || (abs(way) < 1e-5 && abs(between.a) < 1000))
   {
     return mix(part.lower, part.upper,
       from.number == to.number ? 0.5 * (from.share + to.share) : to.share);
   }
-  return vec4(to.integral - from.integral) * (integralUnit / way);
+  return max(vec4(between) * (integralUnit / way), vec4(0.0));
 }
 
 // An interval that becomes opaque on its way, at any length: what is before that place, and the
@@ -91,9 +94,13 @@ vec4 absorbUpToSurface(TransferBins bins, TransferKnots knots, TransferPoint fro
 {
   float before = from.value;
   float behind = to.value;
-  for (int halving = 0; halving < 16; ++halving)
+  for (int halving = 0; halving < 64; ++halving)
   {
     const float middle = 0.5 * (before + behind);
+    if (middle == before || middle == behind)
+    {
+      break;
+    }
     const TransferPart there = findPart(bins, knots, middle);
     if (there.opaque == from.opaque)
     {
@@ -109,10 +116,9 @@ vec4 absorbUpToSurface(TransferBins bins, TransferKnots knots, TransferPoint fro
   const vec4 veil =
     absorb(meanBetween(from, makePoint(last, before, 1.0 / integralUnit), last, integralUnit),
       units * (before - from.value) / (to.value - from.value));
-  // An opaque part too narrow to be hit has the mean colour.
-  const vec4 surface = (part.opaque & 1) != 0 ? mix(part.lower, part.upper, part.share)
-                                              : meanBetween(from, to, part, integralUnit);
-  return veil + (1.0 - veil.a) * surface / surface.a;
+  // No value lies in an opaque part of no width.
+  const vec4 surface = mix(part.lower, part.upper, part.share);
+  return (part.opaque & 1) != 0 ? veil + (1.0 - veil.a) * surface / surface.a : veil;
 }
 
 // Colour, times opacity, and opacity of an interval of some unit distances, over which the value
@@ -123,7 +129,8 @@ vec4 absorbBetween(TransferBins bins, TransferKnots knots, TransferPoint from, T
   if ((from.opaque & 1) != 0)
   {
     const TransferPart surface = findPart(bins, knots, from.value);
-    return mix(surface.lower, surface.upper, surface.share) / OPAQUE;
+    const vec4 extinction = mix(surface.lower, surface.upper, surface.share);
+    return extinction / extinction.a;
   }
   if (from.opaque != to.opaque)
   {

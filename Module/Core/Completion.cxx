@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Completion.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -21,21 +23,29 @@ struct Cell
   }
 };
 
+// Where neighbours do not tell the slope along all axes, none along the rest.
+glm::dvec3 solve(glm::dmat3 matrix, const glm::dvec3& right)
+{
+  const double mean = (matrix[0][0] + matrix[1][1] + matrix[2][2]) / 3.0;
+  if (glm::determinant(matrix) < 1e-3 * mean * mean * mean || !(mean > 0.0))
+  {
+    matrix += glm::dmat3(1e-6 * mean + 1e-300);
+  }
+  return glm::inverse(matrix) * right;
+}
+
 class Completer
 {
 public:
   Completer(const RegionTree& tree, const std::vector<Brick>& bricks,
-    const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
+    const std::vector<std::int64_t>& cellWidth, const Scalars& scalars,
+    const std::vector<glm::ivec3>& origins)
     : Tree(tree)
     , Bricks(bricks)
     , CellWidth(cellWidth)
     , Values(scalars.values)
+    , Origins(origins)
   {
-    this->Origins.reserve(bricks.size());
-    for (const Brick& brick : bricks)
-    {
-      this->Origins.emplace_back((brick.lo - tree.bounds.lo) * std::int64_t(2));
-    }
   }
 
   // Returns whether any of the values is absent.
@@ -193,7 +203,7 @@ private:
     {
       const double value = this->Value(cell);
       const glm::ivec3 middle = this->Center(cell);
-      glm::dmat3 matrix(1e-12); // where there is no neighbour, no slope
+      glm::dmat3 matrix(0.0);
       glm::dvec3 right(0.0);
       this->ForEachFaceNeighbour(cell,
         [&](const Cell& neighbour, double share)
@@ -205,7 +215,7 @@ private:
           right += off * (weight * difference);
         });
       this->Fitted = cell;
-      this->Slope = glm::inverse(matrix) * right;
+      this->Slope = solve(matrix, right);
     }
     return this->Value(cell) + glm::dot(this->Slope, glm::dvec3(p - this->Center(cell)));
   }
@@ -286,7 +296,7 @@ private:
   const std::vector<Brick>& Bricks;
   const std::vector<std::int64_t>& CellWidth;
   const std::vector<float>& Values;
-  std::vector<glm::ivec3> Origins;
+  const std::vector<glm::ivec3>& Origins;
   int Last = -1; // brick found last
   Cell Fitted;   // of Extend
   glm::dvec3 Slope{ 0.0 };
@@ -310,9 +320,15 @@ Completion complete(const RegionTree& tree, const std::vector<Brick>& bricks,
   completed.absentCells = scalars.absentCells;
   completed.values.resize(count);
   completed.brickHasAbsentCells.resize(bricks.size());
+  std::vector<glm::ivec3> origins;
+  origins.reserve(bricks.size());
+  for (const Brick& brick : bricks)
+  {
+    origins.emplace_back((brick.lo - tree.bounds.lo) * std::int64_t(2));
+  }
 #pragma omp parallel if (count > ParallelCells)
   {
-    Completer completer(tree, bricks, cellWidth, scalars);
+    Completer completer(tree, bricks, cellWidth, scalars, origins);
 #pragma omp for schedule(dynamic, 2)
     for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/TransferTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -17,8 +18,7 @@ std::vector<Point> clipToUnitInterval(const TransferFunction& transfer)
   const std::vector<Point>& all = transfer.points();
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    const bool isJumpAtOne =
-      all[i].value == 1.0 && i + 1 < all.size() && all[i + 1].value == 1.0 && i > 0;
+    const bool isJumpAtOne = all[i].value == 1.0 && i + 1 < all.size() && all[i + 1].value == 1.0;
     if ((all[i].value > 0.0 && all[i].value < 1.0) || isJumpAtOne)
     {
       points.push_back(all[i]);
@@ -95,129 +95,179 @@ struct Part
     return glm::dvec4(colors.r, colors.g, colors.b, mean);
   }
 };
-// All parts between the points, with what lies before each.
-struct Pieces
+
+// A straight line as the device has it, but for the integral before it.
+struct Line
 {
+  layout::TransferKnot knot;
+  double width; // in values
+
+  glm::dvec4 integral() const
+  {
+    return 0.5 * this->width * (glm::dvec4(this->knot.lower) + glm::dvec4(this->knot.upper));
+  }
+};
+
+// The pieces between the points, and the one from 1 on.
+class Pieces
+{
+public:
   explicit Pieces(const std::vector<Point>& points)
   {
-    glm::dvec4 integral(0.0);
     int opaqueBefore = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
       const Part part{ points[i], points[i + 1] };
       const int isOpaque = part.opaque() && part.width() > 0.0 ? 1 : 0;
-      this->all.push_back({ part, integral, 2 * opaqueBefore + isOpaque });
-      integral += part.width() * part.mean();
+      this->All.push_back({ part, 2 * opaqueBefore + isOpaque });
       opaqueBefore += isOpaque;
     }
-    // From 1 on.
-    this->all.push_back({ { points.back(), points.back() }, integral, 2 * opaqueBefore });
-    // The greatest float below 2^31
-    this->unit = integral.a > 0.0 ? integral.a / 2147483520.0 : 1.0;
+    this->All.push_back({ { points.back(), points.back() }, 2 * opaqueBefore });
+    // The more pieces, the less each is halved, so that there are some 10^5 lines at most.
+    this->Deepest = std::clamp(
+      static_cast<int>(std::log2(65536.0 / static_cast<double>(points.size()))), 0, FullDepth);
   }
 
+  std::size_t last() const { return this->All.size() - 1; } // from 1 on
+  const Part& part(std::size_t i) const { return this->All[i].part; }
+  float begin(std::size_t i) const // compared as floats, as the device does
+  {
+    return static_cast<float>(this->All[i].part.begin.value);
+  }
+
+  Line line(std::size_t i, const Part& part) const
+  {
+    return { { glm::vec4(extinctionOf(part.begin.color)), glm::vec4(extinctionOf(part.end.color)),
+               glm::ivec4(0), this->All[i].opaque, static_cast<float>(part.begin.value) },
+      part.width() };
+  }
+
+  // A part of piece i, halved until lines fit.
+  void addLines(std::size_t i, const Part& part, int depth, std::vector<Line>& lines) const
+  {
+    const Point middle = part.at(0.5 * (part.begin.value + part.end.value));
+    const float value = static_cast<float>(middle.value);
+    const bool splits = static_cast<float>(part.begin.value) < value &&
+      value < static_cast<float>(part.end.value); // as floats
+    if (part.isLinear() || !splits || depth == this->Deepest)
+    {
+      lines.push_back(this->line(i, part));
+      if (!part.isLinear() && splits && this->Deepest < FullDepth && part.begin.color.a < 1.0 &&
+        part.end.color.a < 1.0)
+      {
+        // Halved no more: its mean counts, not its ends.
+        layout::TransferKnot& knot = lines.back().knot;
+        const glm::vec4 factor(
+          part.mean() / glm::max(0.5 * glm::dvec4(knot.lower + knot.upper), 1e-300));
+        knot.lower *= factor;
+        knot.upper *= factor;
+      }
+      return;
+    }
+    this->addLines(i, { part.begin, middle }, depth + 1, lines);
+    this->addLines(i, { middle, part.end }, depth + 1, lines);
+  }
+
+  // The lines from `lo` to `hi`; `first`: the last piece that does not begin above `lo`. The jump
+  // at 1, if there is one, is in no bin.
+  std::vector<Line> linesBetween(float lo, float hi, std::size_t first) const
+  {
+    std::vector<Line> lines;
+    Point begin = this->part(first).at(lo);
+    for (std::size_t i = first; i < this->last() && (i == first || this->begin(i) < hi); ++i)
+    {
+      const Point end = this->begin(i + 1) < hi ? this->part(i).end : this->part(i).at(hi);
+      if (static_cast<float>(begin.value) < static_cast<float>(end.value))
+      {
+        this->addLines(i, { begin, end }, 0, lines);
+      }
+      begin = this->part(i + 1).begin;
+    }
+    return lines;
+  }
+
+private:
   struct Piece
   {
     Part part;
-    glm::dvec4 integral;
     int opaque;
   };
 
-  float begin(std::size_t i) const // compared as floats, as the device does
-  {
-    return static_cast<float>(this->all[i].part.begin.value);
-  }
+  static constexpr int FullDepth = 10;
 
-  // Part of piece i as the device has it.
-  layout::TransferKnot record(std::size_t i, const Part& part) const
-  {
-    const Piece& piece = this->all[i];
-    const Part before{ piece.part.begin, part.begin };
-    layout::TransferKnot knot{};
-    knot.lower = glm::vec4(extinctionOf(part.begin.color));
-    knot.upper = glm::vec4(extinctionOf(part.end.color));
-    if (part.opaque())
-    {
-      knot.lower = layout::OPAQUE * glm::vec4(glm::vec3(part.begin.color), 1.0f);
-      knot.upper = layout::OPAQUE * glm::vec4(glm::vec3(part.end.color), 1.0f);
-    }
-    knot.integral =
-      glm::ivec4(glm::round((piece.integral + before.width() * before.mean()) / this->unit));
-    knot.opaque = piece.opaque;
-    knot.value = static_cast<float>(part.begin.value);
-    return knot;
-  }
-
-  // Part of piece i, halved until the device's lines fit.
-  void addKnots(
-    std::size_t i, const Part& part, int depth, std::vector<layout::TransferKnot>& knots) const
-  {
-    constexpr int deepest = 10;
-    const Point middle = part.at(0.5 * (part.begin.value + part.end.value));
-    const float value = static_cast<float>(middle.value);
-    if (part.isLinear() || depth == deepest || !(static_cast<float>(part.begin.value) < value) ||
-      !(value < static_cast<float>(part.end.value)))
-    {
-      knots.push_back(this->record(i, part));
-      return;
-    }
-    this->addKnots(i, { part.begin, middle }, depth + 1, knots);
-    this->addKnots(i, { middle, part.end }, depth + 1, knots);
-  }
-
-  std::vector<Piece> all;
-  double unit;
+  std::vector<Piece> All;
+  int Deepest;
 };
 }
 
 TransferTable::TransferTable(const TransferFunction& transfer)
 {
   const Pieces pieces(clipToUnitInterval(transfer));
-  this->integralUnit = static_cast<float>(pieces.unit);
-  const std::size_t last = pieces.all.size() - 1; // from 1 on
-  std::vector<layout::TransferKnot> inside;
+  // Integrals of the lines themselves, so that no difference of them is off the lines.
+  glm::dvec4 integral(0.0);
+  std::vector<glm::dvec4> toBins;
+  std::vector<glm::dvec4> toKnots;
+  const auto addKnot = [&](const layout::TransferKnot& knot)
+  {
+    this->knots.push_back(knot);
+    toKnots.push_back(integral);
+  };
   std::size_t piece = 0; // the last one that does not begin above the bin's lower end
   for (int i = 0; i < layout::TRANSFER_BINS; ++i)
   {
     const float lo = static_cast<float>(i) / layout::TRANSFER_BINS;
     const float hi = static_cast<float>(i + 1) / layout::TRANSFER_BINS;
-    while (piece + 1 < last && pieces.begin(piece + 1) <= lo)
+    while (piece + 1 < pieces.last() && pieces.begin(piece + 1) <= lo)
     {
       ++piece;
     }
-    const bool isLastBin = i + 1 == layout::TRANSFER_BINS;
-    inside.clear();
-    Point begin = pieces.all[piece].part.at(lo);
-    for (std::size_t k = piece; k < last && (k == piece || pieces.begin(k) < hi); ++k)
+    const std::vector<Line> lines = pieces.linesBetween(lo, hi, piece);
+    const layout::TransferKnot& first = lines.front().knot;
+    layout::TransferBin bin{ first.lower, first.upper, glm::ivec4(0), first.opaque };
+    toBins.push_back(integral);
+    layout::TransferKnot end = pieces.line(pieces.last(), pieces.part(pieces.last())).knot;
+    const bool isLast = i + 1 == layout::TRANSFER_BINS;
+    const bool isLine = lines.size() == 1 && !(isLast && end.lower != lines.back().knot.upper);
+    if (!isLine)
     {
-      const bool endsInside = pieces.begin(k + 1) < hi || (isLastBin && k + 1 < last);
-      const Point end = endsInside ? pieces.all[k].part.end : pieces.all[k].part.at(hi);
-      if (static_cast<float>(begin.value) < static_cast<float>(end.value))
-      {
-        pieces.addKnots(k, { begin, end }, 0, inside);
-      }
-      begin = pieces.all[std::min(k + 1, last)].part.begin;
+      bin.lower.a = -1.0f;
+      bin.integral = { this->knots.size(), lines.size() + isLast, 0, 0 };
     }
-    layout::TransferBin bin{ inside[0].lower, inside[0].upper, inside[0].integral,
-      inside[0].opaque };
-    const Part& end = pieces.all[last].part;
-    const bool jumpsAtOne =
-      isLastBin && glm::vec4(extinctionOf(end.begin.color)) != inside.back().upper;
-    if (inside.size() > 1 || jumpsAtOne)
+    for (const Line& line : lines)
     {
-      bin.lower.a = -1.0f - static_cast<float>(this->knots.size());
-      this->knots.insert(this->knots.end(), inside.begin(), inside.end());
-      bin.upper.a = static_cast<float>(inside.size() + (isLastBin ? 1 : 0));
-      // Its upper end; that of the last bin holds 1 itself, and needs one more after it.
-      this->knots.push_back(pieces.record(last, end));
-      this->knots.back().value = hi;
-      if (isLastBin)
+      if (!isLine)
       {
-        this->knots.push_back(this->knots.back());
-        this->knots.back().value = 3.0f;
+        addKnot(line.knot);
+      }
+      integral += line.integral();
+    }
+    if (!isLine)
+    {
+      // Its upper end; that of the last bin holds 1 itself, and needs one more after it.
+      end.value = hi;
+      addKnot(end);
+      end.value = 3.0f;
+      if (isLast)
+      {
+        addKnot(end);
       }
     }
     this->bins.push_back(bin);
+  }
+
+  // Some less than 2^31, as the device rounds.
+  const double unit = integral.a > 0.0 ? integral.a / 2147000000.0 : 1.0;
+  this->integralUnit = static_cast<float>(unit);
+  for (std::size_t i = 0; i < this->bins.size(); ++i)
+  {
+    if (this->bins[i].lower.a >= 0.0f)
+    {
+      this->bins[i].integral = glm::ivec4(glm::round(toBins[i] / unit));
+    }
+  }
+  for (std::size_t i = 0; i < this->knots.size(); ++i)
+  {
+    this->knots[i].integral = glm::ivec4(glm::round(toKnots[i] / unit));
   }
 }
 }

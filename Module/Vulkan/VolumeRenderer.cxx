@@ -262,11 +262,6 @@ struct VolumeRenderer::Internals
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
     }
-    if ((view.reconstruction == Reconstruction::Completed) != (this->Subject.scalars->layer == 1))
-    {
-      throw vulkan::Failure("the volume's scalars do not fit the reconstruction: completed ones, "
-                            "with a layer around each brick, are for Completed alone");
-    }
     const Stopwatch watch;
     layout::Frame frame{};
     frame.size = this->Subject.tree->size;
@@ -382,6 +377,13 @@ std::string VolumeRenderer::prepare()
 
 std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& picture)
 {
+  const Scalars* scalars = this->Data->Subject.scalars;
+  if (scalars && (view.reconstruction == Reconstruction::Completed) != (scalars->layer == 1))
+  {
+    return "the volume's scalars do not fit the reconstruction: completed ones, with a layer "
+           "around "
+           "each brick, are for Completed alone";
+  }
   return this->Data->Guard([&] { this->Data->March(view, picture); });
 }
 

@@ -103,7 +103,7 @@ Candidates::Candidates(
   for (int l = 0; l < hierarchy.levels(); ++l)
   {
     Level& level = this->Levels[l];
-    level.completed = level.completedInside = level.values;
+    level.completedBeyond = level.completed = level.values;
     forEachCell(level.bounds,
       [&](const Int3& cell)
       {
@@ -120,7 +120,7 @@ Candidates::Candidates(
           cell, leaves.bounds.lo / level.width, leaves.bounds.hi / level.width - std::int64_t(1));
         if (inside != cell)
         {
-          level.completedInside[level.at(cell)] = level.completedInside[level.at(inside)];
+          level.completed[level.at(cell)] = level.completed[level.at(inside)];
         }
       });
   }
@@ -166,7 +166,7 @@ glm::dvec3 Candidates::FindGradient(int l, const Int3& cell) const
   const Level& own = this->Levels[l];
   const double value = own.values[own.at(cell)];
   const glm::dvec3 middle = center(cell, own.width);
-  glm::dmat3 matrix(1e-12); // where there is no neighbour, no slope
+  glm::dmat3 matrix(0.0);
   glm::dvec3 right(0.0);
   this->ForEachFaceNeighbour(l, cell,
     [&](int k, const Int3& c, double share)
@@ -177,6 +177,12 @@ glm::dvec3 Candidates::FindGradient(int l, const Int3& cell) const
       matrix += glm::outerProduct(off, off) * weight;
       right += off * (weight * (level.values[level.at(c)] - value));
     });
+  // Where neighbours do not tell the slope along all axes, none along the rest.
+  const double mean = (matrix[0][0] + matrix[1][1] + matrix[2][2]) / 3.0;
+  if (glm::determinant(matrix) < 1e-3 * mean * mean * mean || !(mean > 0.0))
+  {
+    matrix += glm::dmat3(1e-6 * mean + 1e-300);
+  }
   return glm::inverse(matrix) * right;
 }
 
@@ -242,8 +248,8 @@ void Candidates::Complete(int l, const Int3& cell)
   }
   // never out of the data's range, for which transfer functions are made
   const double completed = glm::clamp(sum / count, this->Min, this->Max);
-  own.completed[own.at(cell)] = completed;
-  own.completedInside[own.at(cell)] = outside ? values / count : completed;
+  own.completedBeyond[own.at(cell)] = completed;
+  own.completed[own.at(cell)] = outside ? values / count : completed;
 }
 
 double Candidates::corrected(const glm::dvec3& p) const

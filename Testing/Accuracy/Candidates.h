@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reconstructions that the library does not have, to be weighed against the one it has. The basis
-// B(p) = sum H_C v_C / sum H_C does not reproduce a linear field across levels, because the mean of
-// the cells' centres m(p) = sum H_C C / sum H_C is not p there. Both candidates mend that, are
-// continuous, and are the basis wherever only cells of one level reach.
+// Reconstructions weighed against the basis, in double precision: of them, the library offers
+// `completed` (Core/Completion). The basis B(p) = sum H_C v_C / sum H_C does not reproduce a linear
+// field across levels, because the mean of the cells' centres m(p) = sum H_C C / sum H_C is not p
+// there. Both candidates mend that, are continuous, and are the basis wherever only cells of one
+// level reach.
 #ifndef ExaBricksAccuracyCandidates_h
 #define ExaBricksAccuracyCandidates_h
 
@@ -27,16 +28,15 @@ public:
   /// the basis, but T_l interpolates all eight lattice points of level l around p. Those that are
   /// no leaf cells are given values beforehand, from the leaf cells there and their gradients: on
   /// the device, a layer of such cells around each brick. A sample does as much as it does for the
-  /// basis.
+  /// basis. Here also beyond the bounds of the data, by gradients.
+  double completedBeyond(const glm::dvec3& logical) const
+  {
+    return this->InterpolateLevels(logical, &Level::completedBeyond);
+  }
+  /// The same, but beyond the bounds of the data the value stays, as it does for the basis.
   double completed(const glm::dvec3& logical) const
   {
     return this->InterpolateLevels(logical, &Level::completed);
-  }
-  /// The same but for the bounds of the data, where the value stays beyond the outer cells'
-  /// centres, as it does for the basis: shows what level boundaries alone are worth.
-  double completedInside(const glm::dvec3& logical) const
-  {
-    return this->InterpolateLevels(logical, &Level::completedInside);
   }
 
 private:
@@ -47,8 +47,8 @@ private:
     std::vector<double> values; // x fastest; NaN: not a leaf cell
     std::vector<glm::dvec3> gradients;
     // values, and those of the lattice points beside leaf cells
+    std::vector<double> completedBeyond;
     std::vector<double> completed;
-    std::vector<double> completedInside;
 
     std::size_t at(const Int3& cell) const;
     bool isLeaf(const Int3& cell) const;

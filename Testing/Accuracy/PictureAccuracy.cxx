@@ -69,7 +69,7 @@ std::vector<PictureRow> measurePictures(const Field& field, const std::vector<Gr
   {
     const Sampler sampler(grid, field);
     for (const Method method : { Method::Nearest, Method::Basis, Method::Corrected,
-           Method::Completed, Method::CompletedInside })
+           Method::CompletedBeyond, Method::Completed })
     {
       const auto sample = [&](const glm::dvec3& p)
       { return *sampler.sample(p / grid.cellShare, method); };

@@ -78,8 +78,8 @@ glm::dvec3 nearHalfCells(const glm::dvec3& p, double cellWidth)
 
 const char* nameOf(Method method)
 {
-  constexpr const char* names[] = { "nearest", "basis", "corrected", "completed",
-    "completed inside" };
+  constexpr const char* names[] = { "nearest", "basis", "corrected", "completed beyond bounds",
+    "completed" };
   return names[static_cast<int>(method)];
 }
 
@@ -107,10 +107,10 @@ std::optional<double> Sampler::sample(const glm::dvec3& logical, Method method) 
       return this->Judge.sample(logical, reference::Reconstruction::Basis);
     case Method::Corrected:
       return this->Others.corrected(logical);
+    case Method::CompletedBeyond:
+      return this->Others.completedBeyond(logical);
     case Method::Completed:
       return this->Others.completed(logical);
-    case Method::CompletedInside:
-      return this->Others.completedInside(logical);
   }
   return {};
 }

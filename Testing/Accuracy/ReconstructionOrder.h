@@ -16,9 +16,9 @@ enum class Method
 {
   Nearest,
   Basis,
-  Corrected, // Candidates::corrected
-  Completed, // Candidates::completed
-  CompletedInside
+  Corrected, // those of Candidates
+  CompletedBeyond,
+  Completed
 };
 const char* nameOf(Method method);
 

@@ -14,9 +14,9 @@ namespace
 constexpr int Points = 5000; // in each zone
 
 const std::vector<Method> allMethods{ Method::Nearest, Method::Basis, Method::Corrected,
-  Method::Completed, Method::CompletedInside };
-const std::vector<Method> candidates{ Method::Corrected, Method::Completed,
-  Method::CompletedInside };
+  Method::CompletedBeyond, Method::Completed };
+const std::vector<Method> candidates{ Method::Corrected, Method::CompletedBeyond,
+  Method::Completed };
 const glm::dvec3 slope(0.3, 0.2, 0.35);
 
 // Coarse cells along each axis, so that no grid has more than a million cells.
@@ -77,7 +77,7 @@ TEST(ReconstructionOrder, LinearFieldsAreExactInsideALevel)
 {
   const auto rows = measure(linear(slope), 1);
   for (const Method method :
-    { Method::Basis, Method::Corrected, Method::Completed, Method::CompletedInside })
+    { Method::Basis, Method::Corrected, Method::CompletedBeyond, Method::Completed })
   {
     EXPECT_LT(finest(rows, method, Zone::Interior).max, 1e-14) << nameOf(method);
   }
@@ -185,7 +185,7 @@ TEST_P(AcrossRatios, BasisIsContinuousAndNearestJumps)
     distances.push_back(distance);
   }
   for (const Method method :
-    { Method::Basis, Method::Corrected, Method::Completed, Method::CompletedInside })
+    { Method::Basis, Method::Corrected, Method::CompletedBeyond, Method::Completed })
   {
     // half as far apart, half as different: slopes are bounded, so the limit is 0
     const auto jumps = measureJumps(sampler, grid, method, distances);
@@ -241,13 +241,13 @@ TEST_P(AcrossRatios, CandidatesAreSecondAtLevelBoundaries)
 TEST(ReconstructionOrder, CandidatesAreSecondAtTheBoundsIfTheOuterCellsSlopesGoOn)
 {
   const auto rows = measure(movingFront(0.35, 0.15), 2);
-  for (const Method method : { Method::Corrected, Method::Completed })
+  for (const Method method : { Method::Corrected, Method::CompletedBeyond })
   {
     EXPECT_NEAR(observedOrder(rows, method, Zone::DataBounds, Norm::Rms), 2.0, 0.15);
     EXPECT_NEAR(observedOrder(rows, method, Zone::Whole, Norm::Rms), 2.0, 0.15);
   }
   // else they are what the basis is there
-  const ErrorRow& inside = finest(rows, Method::CompletedInside, Zone::DataBounds);
+  const ErrorRow& inside = finest(rows, Method::Completed, Zone::DataBounds);
   EXPECT_NEAR(inside.rms, finest(rows, Method::Basis, Zone::DataBounds).rms, 1e-12);
 }
 

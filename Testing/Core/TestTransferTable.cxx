@@ -37,9 +37,9 @@ Part findPart(const TransferTable& table, float value)
     return { { bin.lower, bin.upper, bin.integral, bin.opaque, 0.0f }, i, x - static_cast<float>(i),
       1.0f / layout::TRANSFER_BINS };
   }
-  int k = static_cast<int>(-1.0f - bin.lower.a);
+  int k = bin.integral.x;
   const auto first = knots.begin() + k;
-  const auto above = std::upper_bound(first, first + static_cast<int>(bin.upper.a), value,
+  const auto above = std::upper_bound(first, first + bin.integral.y, value,
     [](float v, const layout::TransferKnot& knot) { return v < knot.value; });
   k = static_cast<int>(above - knots.begin()) - 1;
   const float width = knots[k + 1].value - knots[k].value;
@@ -54,8 +54,7 @@ glm::vec4 extinctionAt(const TransferTable& table, float value)
 
 glm::ivec4 integralTo(const TransferTable& table, const Part& part)
 {
-  const glm::vec4 inside = glm::mix(part.knot.lower, part.knot.upper, 0.5f * part.share) *
-    ((part.knot.opaque & 1) != 0 ? layout::DENSEST / layout::OPAQUE : 1.0f);
+  const glm::vec4 inside = glm::mix(part.knot.lower, part.knot.upper, 0.5f * part.share);
   return part.knot.integral + glm::ivec4(inside * (part.share * part.width / table.integralUnit));
 }
 
@@ -258,4 +257,26 @@ TEST(TransferTable, KeepsFaintPartsBesideDenseOnes)
   {
     EXPECT_NEAR(meanBetween(table, 0.6f, 0.6f + way).a, 1e-5, 5e-6) << way;
   }
+}
+
+TEST(TransferTable, KeepsAJumpAtOneThatIsAllThereIs)
+{
+  const TransferTable table(TransferFunction({ gray(1.0, 0.1), gray(1.0, 0.9) }));
+  EXPECT_NEAR(extinctionAt(table, 0.5f).a, -std::log(0.9f), 1e-6f);
+  EXPECT_NEAR(extinctionAt(table, 1.0f).a, -std::log(0.1f), 1e-6f);
+  EXPECT_NEAR(meanBetween(table, 0.5f, 1.0f).a, -std::log(0.9f), 1e-6f);
+}
+
+TEST(TransferTable, StaysSmallWhateverTheFunction)
+{
+  std::vector<TransferFunction::Point> teeth;
+  for (int i = 0; i <= 100000; ++i)
+  {
+    teeth.push_back(gray(i / 100000.0, i % 2 ? 0.9 : 0.0));
+  }
+  const TransferTable table{ TransferFunction(teeth) };
+  EXPECT_LE(table.knots.size(), 200000u);
+  // Mean of -ln(1 - a) for a from 0 to 0.9.
+  const double exact = (0.1 * std::log(0.1) - 0.1 + 1.0) / 0.9;
+  EXPECT_NEAR(meanBetween(table, 0.1f, 0.9f).a, exact, 1e-4);
 }

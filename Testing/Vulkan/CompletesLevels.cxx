@@ -135,7 +135,7 @@ TEST(CompletesLevels, TheLayersHoldWhatTheCandidateComputes)
         const glm::dvec3 p(reference::noise(0, Int3(n), 1), reference::noise(1, Int3(n), 1),
           reference::noise(2, Int3(n), 1));
         const double expected =
-          range.normalize(*sampler.sample(p / named.grid.cellShare, Method::CompletedInside));
+          range.normalize(*sampler.sample(p / named.grid.cellShare, Method::Completed));
         largest =
           std::max(largest, std::abs(sampleLayers(subject, p / named.grid.cellShare) - expected));
       }
@@ -160,7 +160,7 @@ TEST(CompletesLevels, PicturesAreThoseOfTheCandidate)
     subject.stepScale = 0.125;
     const Sampler sampler(named.grid, field);
     const reference::Image truth = renderField([&](const glm::dvec3& p)
-      { return *sampler.sample(p / named.grid.cellShare, Method::CompletedInside); },
+      { return *sampler.sample(p / named.grid.cellShare, Method::Completed); },
       rampTransfer(), settings);
     for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
     {
@@ -234,9 +234,8 @@ TEST(CompletesLevels, LinearFieldsAreExactAcrossLevels)
       const glm::dvec3 near = glm::dvec3(toCube * glm::dvec4(0.0, 0.0, -1.0, 1.0));
       const glm::dvec3 far = glm::dvec3(toCube * glm::dvec4(0.0, 0.0, 1.0, 1.0));
       const double length = glm::distance(near, far);
-      const double half = 0.3 / length; // 0.6 of the way through the middle
-      const glm::dmat4 part = glm::scale(
-        glm::translate(glm::dmat4(1.0), glm::dvec3(0.0)), glm::dvec3(1.0, 1.0, 2.0 * half));
+      const double half = 0.3 / length; // a length of 0.6 through the middle
+      const glm::dmat4 part = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 2.0 * half));
       view.ndcToLogical = view.ndcToLogical * part;
       view.ndcToWorld = view.ndcToWorld * part;
       const reference::Image image = subject.render(view);
@@ -266,7 +265,11 @@ TEST(CompletesLevels, LinearFieldsAreExactAcrossLevels)
       EXPECT_GT(rays, 300);
       if (completed)
       {
-        EXPECT_LT(largest, 1e-4) << named.name;
+        EXPECT_LT(largest, 2e-5) << named.name; // float32
+      }
+      else if (named.grid.hierarchy.levels() > 1)
+      {
+        EXPECT_GT(largest, 5e-3) << named.name; // which is what it is for
       }
     }
   }
@@ -289,7 +292,7 @@ TEST(CompletesLevels, TraversalsAgreeAndAbsentCellsStayAbsent)
               << " dB to the basis, coverage " << coverage(byTree) << " and " << coverage(other)
               << "\n";
     EXPECT_GE(reference::psnr(byTree, other), 25.0) << scene.name;
-    // opaque everywhere: exactly where the basis is
+    // something everywhere: exactly where the basis is
     const TransferFunction white({ { 0.0, glm::dvec4(1.0, 1.0, 1.0, 0.5) } });
     basis.setTransfer(white);
     subject.setTransfer(white);
@@ -346,11 +349,13 @@ TEST(CompletesLevels, RegionsHaveTheirBricksAndRanges)
           reference::noise(2, Int3(n), seed));
       const glm::dvec3 p = glm::dvec3(tree.bounds.lo) + 0.5 * half;
       std::size_t r = 0;
-      while (glm::any(glm::lessThan(half, glm::dvec3(tree.regions[r].lo))) ||
-        glm::any(glm::greaterThanEqual(half, glm::dvec3(tree.regions[r].hi))))
+      while (r < tree.regions.size() &&
+        (glm::any(glm::lessThan(half, glm::dvec3(tree.regions[r].lo))) ||
+          glm::any(glm::greaterThanEqual(half, glm::dvec3(tree.regions[r].hi)))))
       {
         ++r;
       }
+      ASSERT_LT(r, tree.regions.size());
       const layout::Region& region = tree.regions[r];
       const std::vector<std::uint32_t> list(tree.brickLists.begin() + region.firstBrick,
         tree.brickLists.begin() + region.firstBrick + region.brickCount);

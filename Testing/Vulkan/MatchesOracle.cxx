@@ -3,8 +3,10 @@
 // double-precision oracle, and get better with the square of the step.
 #include "SceneRenderer.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <limits>
 
 using namespace exabricks;
 
@@ -67,6 +69,50 @@ TEST(MatchesOracle, AnOpaqueValueIsOpaqueAtAnyLength)
   const reference::Image picture = subject.render(view);
   EXPECT_GE(reference::psnr(picture, subject.renderOracle(view)), 100.0);
   EXPECT_EQ(picture.at(48, 48).a, 1.0);
+}
+
+TEST(MatchesOracle, LabelsOfOpacityOneAreOpaque)
+{
+  // Values 0, 0.5 and 1; opacity 1 at 0.5 alone, as tents around labels have it.
+  SceneRenderer subject({ "labels", reference::twoLevels().hierarchy,
+    reference::fillCells(reference::twoLevels().hierarchy,
+      [](int level, const Int3& c)
+      { return std::floor(3.0 * reference::noise(level, c, 3)) / 2.0; }) });
+  subject.setTransfer(TransferFunction({ { 0.4, { 1.0, 0.5, 0.0, 0.0 } },
+    { 0.5, { 1.0, 0.5, 0.0, 1.0 } }, { 0.6, { 1.0, 0.5, 0.0, 0.0 } } }));
+  subject.reconstruction = Reconstruction::Nearest;
+  subject.opacityUnitDistance = 1e3;
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image picture = subject.render(view);
+  EXPECT_GE(reference::psnr(picture, subject.renderOracle(view)), 100.0);
+  EXPECT_EQ(picture.at(48, 48).a, 1.0);
+}
+
+TEST(MatchesOracle, APlateauOfTheGreatestValueBesideAbsentCells)
+{
+  // Weighted means of 1 round to a little more than 1, which is no value of the transfer function.
+  const Hierarchy hierarchy = reference::twoLevels().hierarchy;
+  SceneRenderer subject({ "plateau", hierarchy,
+    reference::fillCells(hierarchy,
+      [](int level, const Int3& c)
+      {
+        const double chance = reference::noise(level, c, 5);
+        return chance < 0.2 ? std::numeric_limits<double>::quiet_NaN() : chance < 0.3 ? 0.0 : 1.0;
+      }) });
+  subject.setTransfer(
+    TransferFunction({ { 0.0, { 0.0, 0.5, 1.0, 0.0 } }, { 1.0, { 1.0, 0.5, 0.0, 1.0 } } }));
+  subject.opacityUnitDistance = 20.0;
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+  {
+    subject.renderer.selectTraversal(traversal);
+    const reference::Image picture = subject.render(view);
+    for (const glm::dvec4& pixel : picture.pixels)
+    {
+      EXPECT_GE(std::min({ pixel.r, pixel.g, pixel.b, pixel.a }), 0.0);
+      EXPECT_LE(std::max({ pixel.r, pixel.g, pixel.b, pixel.a }), 1.0 + 1e-6);
+    }
+  }
 }
 
 TEST(MatchesOracle, DeepHierarchiesWithHugeCells)
