@@ -37,15 +37,14 @@ Hierarchy inWorld(const Setting& setting)
   world.spacing *= setting.scale;
   return world;
 }
+}
 
-VolumeRenderer& rendererFor(Reconstruction reconstruction, Traversal traversal)
+VolumeRenderer& Renderers::get(Reconstruction reconstruction, Traversal traversal)
 {
-  static VolumeRenderer renderers[2][2];
   VolumeRenderer& renderer =
-    renderers[reconstruction == Reconstruction::Nearest][traversal == Traversal::KdTree];
+    this->All[reconstruction == Reconstruction::Nearest][traversal == Traversal::KdTree];
   renderer.selectTraversal(traversal);
   return renderer;
-}
 }
 
 void setCamera(const Setting& setting, vtkCamera* camera)
@@ -191,7 +190,8 @@ std::vector<reference::Image> Subject::truths(Reconstruction reconstruction) con
   return images;
 }
 
-reference::Image Subject::draw(Reconstruction reconstruction, Traversal traversal) const
+reference::Image Subject::draw(
+  Renderers& renderers, Reconstruction reconstruction, Traversal traversal) const
 {
   vtkNew<vtkRenderer> scene;
   vtkCamera* camera = scene->GetActiveCamera();
@@ -212,7 +212,7 @@ reference::Image Subject::draw(Reconstruction reconstruction, Traversal traversa
   view.opacityUnitDistance = this->Given.unitDistance;
   view.terminationOpacity = 1.0; // never
   vulkan::faults().largestValueBuffer = this->Given.largestValueBuffer;
-  VolumeRenderer& renderer = rendererFor(reconstruction, traversal);
+  VolumeRenderer& renderer = renderers.get(reconstruction, traversal);
   renderer.setVolume({ &this->Contents->Structure->tree, &this->Contents->Structure->bricks,
     &this->Contents->Structure->hierarchy.cellWidth, &this->Contents->Scalars,
     &this->Contents->Ranges });

@@ -24,6 +24,17 @@ void setCamera(const Setting& setting, vtkCamera* camera);
 void setProperty(const Setting& setting, vtkVolumeProperty* property);
 void setMatrix(const Setting& setting, vtkVolume* volume);
 
+/// One for each way to draw, for all subjects, as pipelines take long to compile. To be destroyed
+/// before the program ends: Vulkan's layers may be gone then.
+class Renderers
+{
+public:
+  VolumeRenderer& get(Reconstruction reconstruction, Traversal traversal);
+
+private:
+  VolumeRenderer All[2][2];
+};
+
 class Subject
 {
 public:
@@ -36,9 +47,9 @@ public:
   /// Pictures that are right: several where a ray may take either side of a face.
   std::vector<reference::Image> truths(Reconstruction reconstruction) const;
 
-  /// Throws what the renderer says is wrong. Each way has a renderer of its own, which all subjects
-  /// share, as pipelines take long to compile.
-  reference::Image draw(Reconstruction reconstruction, Traversal traversal) const;
+  /// Throws what the renderer says is wrong.
+  reference::Image draw(
+    Renderers& renderers, Reconstruction reconstruction, Traversal traversal) const;
 
 private:
   void Build();

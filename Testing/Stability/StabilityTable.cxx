@@ -62,8 +62,8 @@ std::string judgePeer(const PeerResult& result, const std::vector<reference::Ima
   return nothing ? "nothing drawn" : decibel(std::max(basis.drawn, nearest.drawn));
 }
 
-Row measure(
-  const std::string& theme, const Case& test, const std::string& self, const std::string& folder)
+Row measure(Renderers& renderers, const std::string& theme, const Case& test,
+  const std::string& self, const std::string& folder)
 {
   Row row{ theme, &test, {}, {}, {} };
   const Setting setting = test.make();
@@ -76,7 +76,7 @@ Row measure(
       truth = subject.truths(reconstruction);
       for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
       {
-        const Errors errors = compare(subject.draw(reconstruction, traversal), truth);
+        const Errors errors = compare(subject.draw(renderers, reconstruction, traversal), truth);
         row.ours.push_back(decibel(errors.drawn));
         row.greatest.push_back(errors.greatest);
       }
@@ -189,6 +189,7 @@ int main(int argc, char** argv)
     const std::set<std::string> wanted(words.begin() + 1, words.end());
     const test::KeepDisplay display;
     const std::vector<Theme> themes = allThemes();
+    Renderers renderers;
     std::vector<Row> rows;
     for (const Theme& theme : themes)
     {
@@ -198,7 +199,7 @@ int main(int argc, char** argv)
         {
           continue;
         }
-        rows.push_back(measure(theme.name, test, "/proc/self/exe", words[0]));
+        rows.push_back(measure(renderers, theme.name, test, "/proc/self/exe", words[0]));
         std::cout << test.name << std::flush;
         for (const auto& cells : { rows.back().ours, rows.back().peers })
         {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <iomanip>
+#include <memory>
 
 using namespace exabricks;
 using namespace exabricks::stability;
@@ -22,7 +23,14 @@ namespace
 {
 class Stability : public testing::TestWithParam<Case>
 {
+protected:
+  static void SetUpTestSuite() { renderers = std::make_unique<Renderers>(); }
+  static void TearDownTestSuite() { renderers.reset(); }
+
+  static std::unique_ptr<Renderers> renderers;
 };
+
+std::unique_ptr<Renderers> Stability::renderers;
 
 std::string describe(Reconstruction reconstruction, Traversal traversal)
 {
@@ -46,7 +54,7 @@ TEST_P(Stability, KeepsItsBound)
     for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
     {
       const std::string way = describe(reconstruction, traversal);
-      const Errors errors = compare(subject.draw(reconstruction, traversal), truths);
+      const Errors errors = compare(subject.draw(*renderers, reconstruction, traversal), truths);
       std::cout << test.name << ", " << way << ": " << std::fixed << std::setprecision(1)
                 << errors.drawn << " dB where drawn, " << errors.all << " dB, greatest difference "
                 << std::scientific << errors.greatest << ", coverage " << std::fixed
