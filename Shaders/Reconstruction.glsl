@@ -27,6 +27,19 @@ float valueAt(Brick brick, uvec3 n, uvec3 cell)
   return Values(brick.values).items[placeOf(n, ivec3(cell))];
 }
 
+// Trilinear, of the eight values around a point, x fastest.
+float interpolate(vec4 lower, vec4 upper, vec3 f)
+{
+  const vec4 xy = mix(lower, upper, f.z);
+  const vec2 x = mix(xy.xy, xy.zw, f.y);
+  return mix(x.x, x.y, f.x);
+}
+
+vec4 tentsOf(vec2 f)
+{
+  return vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+}
+
 // Basis: the mean of the cells' values weighted with their tents, B = sum H_c v_c / sum H_c. Within
 // a brick the tents add up to trilinear interpolation times the tent of the distance from the box of
 // cell centres.
@@ -54,13 +67,11 @@ void addTents(Brick brick, vec3 q, inout float sum, inout float weight)
     values.items[at + dz + dy], values.items[at + dz + dy + dx]);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
-    const vec4 xy = mix(lower, upper, f.z);
-    const vec2 x = mix(xy.xy, xy.zw, f.y);
-    sum += w * mix(x.x, x.y, f.x);
+    sum += w * interpolate(lower, upper, f);
     weight += w;
     return;
   }
-  const vec4 tents = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  const vec4 tents = tentsOf(f.xy);
   const vec4 lowerTents = tents * (w * (1.0 - f.z)) * vec4(greaterThanEqual(lower, vec4(0.0)));
   const vec4 upperTents = tents * (w * f.z) * vec4(greaterThanEqual(upper, vec4(0.0)));
   sum += dot(lowerTents, lower) + dot(upperTents, upper);
@@ -92,13 +103,11 @@ void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
     values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
-    const vec4 xy = mix(lower, upper, f.z);
-    const vec2 x = mix(xy.xy, xy.zw, f.y);
-    sum += w * mix(x.x, x.y, f.x);
+    sum += w * interpolate(lower, upper, f);
     weight += w;
     return;
   }
-  const vec4 tents = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  const vec4 tents = tentsOf(f.xy);
   const vec4 lowerTents = tents * (1.0 - f.z) * vec4(greaterThanEqual(lower, vec4(0.0)));
   const vec4 upperTents = tents * f.z * vec4(greaterThanEqual(upper, vec4(0.0)));
   // those of the brick's own cells

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The device's transfer function: exact at control points, and its mean over the values between two
 // is that of all of them.
+#include "Core/TransferFunctions.h"
 #include "Core/TransferTable.h"
 
 #include <cmath>
@@ -9,14 +10,10 @@
 #include <random>
 
 using namespace exabricks;
+using namespace exabricks::testing;
 
 namespace
 {
-TransferFunction::Point gray(double value, double opacity)
-{
-  return { value, glm::dvec4(value, value, value, opacity) };
-}
-
 // As the shader does it (TransferFunction.glsl), in single precision.
 struct Part
 {
@@ -89,31 +86,6 @@ void expectNear(const glm::vec4& found, const glm::dvec4& expected, double relat
   {
     EXPECT_NEAR(found[i], expected[i], relative * std::max(1.0, expected.a)) << "at " << value;
   }
-}
-
-// Values on multiples of 2^-12, so that floats hold them, with flat parts of no opacity and jumps.
-TransferFunction makeRandom(std::uint32_t seed)
-{
-  std::mt19937 random(seed);
-  const auto share = [&] { return static_cast<double>(random() % 1001) / 1000.0; };
-  std::vector<double> values;
-  const unsigned count = random() % 40 + 1;
-  for (unsigned i = 0; i < count; ++i)
-  {
-    values.push_back((static_cast<double>(random() % 5000) - 400.0) / 4096.0);
-    if (random() % 4 == 0)
-    {
-      values.push_back(values.back());
-    }
-  }
-  std::sort(values.begin(), values.end());
-  std::vector<TransferFunction::Point> points;
-  for (const double value : values)
-  {
-    const double opacity = random() % 2 ? share() : 0.0;
-    points.push_back({ value, glm::dvec4(share(), share(), share(), opacity) });
-  }
-  return TransferFunction(points);
 }
 }
 
