@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accuracy/Candidates.h"
 
+#include "Reference/ForEachPoint.h"
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -11,25 +13,11 @@ namespace exabricks
 {
 namespace accuracy
 {
+using reference::forEachPoint;
+
 namespace
 {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-template <typename Visitor>
-void forEachCell(const Box& cells, const Visitor& visit)
-{
-  Int3 c;
-  for (c.z = cells.lo.z; c.z < cells.hi.z; ++c.z)
-  {
-    for (c.y = cells.lo.y; c.y < cells.hi.y; ++c.y)
-    {
-      for (c.x = cells.lo.x; c.x < cells.hi.x; ++c.x)
-      {
-        visit(c);
-      }
-    }
-  }
-}
 
 glm::dvec3 center(const Int3& cell, std::int64_t width)
 {
@@ -76,7 +64,7 @@ Candidates::Candidates(
     {
       if (leaf.level == l)
       {
-        forEachCell(outwardToCells(leaf.box, level.width),
+        forEachPoint(outwardToCells(leaf.box, level.width),
           [&](const Int3& cell)
           {
             const double value = field(l, cell);
@@ -91,7 +79,7 @@ Candidates::Candidates(
   {
     Level& level = this->Levels[l];
     level.gradients.resize(level.values.size());
-    forEachCell(level.bounds,
+    forEachPoint(level.bounds,
       [&](const Int3& cell)
       {
         if (level.isLeaf(cell))
@@ -104,7 +92,7 @@ Candidates::Candidates(
   {
     Level& level = this->Levels[l];
     level.completedBeyond = level.completed = level.values;
-    forEachCell(level.bounds,
+    forEachPoint(level.bounds,
       [&](const Int3& cell)
       {
         if (!level.isLeaf(cell))
@@ -113,7 +101,7 @@ Candidates::Candidates(
         }
       });
     // Beyond the bounds the value stays, also that of a cell that is no leaf cell itself.
-    forEachCell(level.bounds,
+    forEachPoint(level.bounds,
       [&](const Int3& cell)
       {
         const Int3 inside = glm::clamp(
@@ -147,7 +135,7 @@ void Candidates::ForEachFaceNeighbour(int l, const Int3& cell, const Visitor& vi
           face % 2 ? touching.lo[axis] + 1 : touching.hi[axis] - 1;
       }
       const double n = static_cast<double>(std::max<std::int64_t>(1, width / level.width));
-      forEachCell(touching,
+      forEachPoint(touching,
         [&](const Int3& c)
         {
           if (level.isLeaf(c))
@@ -198,7 +186,7 @@ void Candidates::Complete(int l, const Int3& cell)
     const Int3 off = c - cell;
     return off.x * off.x + off.y * off.y + off.z * off.z;
   };
-  forEachCell(around,
+  forEachPoint(around,
     [&](const Int3& c) { nearest = own.isLeaf(c) ? std::min(nearest, distance(c)) : nearest; });
   if (nearest == 4)
   {
@@ -225,7 +213,7 @@ void Candidates::Complete(int l, const Int3& cell)
       holding.hi[axis] = floorDivide(x, w) + 1;
       holding.lo[axis] = -floorDivide(-x, w) - 1; // two cells if it lies on a face
     }
-    forEachCell(holding,
+    forEachPoint(holding,
       [&](const Int3& c)
       {
         if (level.isLeaf(c))
@@ -237,7 +225,7 @@ void Candidates::Complete(int l, const Int3& cell)
   const bool outside = count == 0;
   if (outside)
   {
-    forEachCell(around,
+    forEachPoint(around,
       [&](const Int3& c)
       {
         if (own.isLeaf(c) && distance(c) == nearest)

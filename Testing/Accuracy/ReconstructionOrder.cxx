@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accuracy/ReconstructionOrder.h"
 
+#include "Accuracy/ObservedOrder.h"
+
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -168,21 +170,15 @@ std::vector<ErrorRow> measureErrors(const Field& field, int ratio,
 
 double observedOrder(const std::vector<ErrorRow>& rows, Method method, Zone zone, Norm norm)
 {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  std::vector<std::pair<double, double>> errors;
   for (const ErrorRow& row : rows)
   {
     if (row.method == method && row.zone == zone)
     {
-      const double width = std::log(row.coarseWidth);
-      const double error = std::log(norm == Norm::Max ? row.max : row.rms);
-      n += 1.0;
-      x += width;
-      y += error;
-      xx += width * width;
-      xy += width * error;
+      errors.emplace_back(row.coarseWidth, norm == Norm::Max ? row.max : row.rms);
     }
   }
-  return (n * xy - x * y) / (n * xx - x * x);
+  return observedOrder(errors);
 }
 
 std::vector<double> measureJumps(

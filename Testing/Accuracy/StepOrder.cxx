@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accuracy/StepOrder.h"
 
+#include "Accuracy/ObservedOrder.h"
 #include "Vulkan/SceneRenderer.h"
 
 #include <cmath>
@@ -107,21 +108,12 @@ std::vector<StepError> measureStepErrors(const StepScene& scene)
 
 double observedOrder(const std::vector<StepError>& rows, double StepError::*error)
 {
-  double x = 0.0;
-  double y = 0.0;
-  double xx = 0.0;
-  double xy = 0.0;
+  std::vector<std::pair<double, double>> errors;
   for (const StepError& row : rows)
   {
-    const double a = std::log(row.stepScale);
-    const double b = std::log(row.*error);
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
+    errors.emplace_back(row.stepScale, row.*error);
   }
-  const double n = static_cast<double>(rows.size());
-  return (n * xy - x * y) / (n * xx - x * x);
+  return observedOrder(errors);
 }
 }
 }

@@ -5,12 +5,15 @@
 
 #include "Core/Regions.h"
 #include "Core/Scalars.h"
+#include "Reference/ForEachPoint.h"
 #include "Reference/Scenes.h"
 
 namespace exabricks
 {
 namespace testing
 {
+using reference::forEachPoint;
+
 // Random scenes of each property test.
 constexpr std::uint32_t RandomScenes = 200;
 
@@ -44,22 +47,6 @@ inline Built buildRandom(std::uint32_t seed)
   constexpr int brickCells[] = { 16, 3, 255, 1, 5 };
   constexpr int bricksPerRegion[] = { 4, 1, 2, 8 };
   return build(reference::randomScene(seed), brickCells[seed % 5], bricksPerRegion[seed % 4]);
-}
-
-template <typename Visitor>
-void forEachPoint(const Box& box, const Visitor& visit)
-{
-  Int3 p;
-  for (p.z = box.lo.z; p.z < box.hi.z; ++p.z)
-  {
-    for (p.y = box.lo.y; p.y < box.hi.y; ++p.y)
-    {
-      for (p.x = box.lo.x; p.x < box.hi.x; ++p.x)
-      {
-        visit(p);
-      }
-    }
-  }
 }
 
 /// One number for each finest cell of a box.

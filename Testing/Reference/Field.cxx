@@ -2,6 +2,7 @@
 #include "Reference/Field.h"
 
 #include "Core/BoxIndex.h"
+#include "Reference/ForEachPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +21,6 @@ std::size_t offsetIn(const Box& box, const Int3& p)
   const Int3 at = p - box.lo;
   const Int3 size = box.size();
   return static_cast<std::size_t>(at.x + size.x * (at.y + size.y * at.z));
-}
-
-template <typename Visitor>
-void forEachPoint(const Box& box, const Visitor& visit)
-{
-  Int3 p;
-  for (p.z = box.lo.z; p.z < box.hi.z; ++p.z)
-  {
-    for (p.y = box.lo.y; p.y < box.hi.y; ++p.y)
-    {
-      for (p.x = box.lo.x; p.x < box.hi.x; ++p.x)
-      {
-        visit(p);
-      }
-    }
-  }
 }
 
 // A leaf cell's value is that of the finest block, not finer than the leaf, that holds it; a real

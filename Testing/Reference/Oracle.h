@@ -21,7 +21,6 @@ public:
     const std::optional<Range>& range = {});
 
   const Range& range() const { return this->Values.range(); }
-  const Field& field() const { return this->Values; }
   /// The normalised value at a logical position; none where no leaf cell is, or an absent one.
   std::optional<double> sample(const glm::dvec3& logical, Reconstruction reconstruction) const
   {

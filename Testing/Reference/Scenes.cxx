@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Scenes.h"
 
+#include "Reference/ForEachPoint.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -12,27 +13,11 @@ namespace reference
 {
 namespace
 {
-template <typename Visitor>
-void forEachCell(const Box& cells, const Visitor& visit)
-{
-  Int3 c;
-  for (c.z = cells.lo.z; c.z < cells.hi.z; ++c.z)
-  {
-    for (c.y = cells.lo.y; c.y < cells.hi.y; ++c.y)
-    {
-      for (c.x = cells.lo.x; c.x < cells.hi.x; ++c.x)
-      {
-        visit(c);
-      }
-    }
-  }
-}
-
 template <typename T>
 void copyCells(const std::vector<T>& from, const Box& all, const Box& cells, T* to)
 {
   const Int3 size = all.size();
-  forEachCell(cells,
+  forEachPoint(cells,
     [&](const Int3& c)
     {
       const Int3 at = c - all.lo;
@@ -137,7 +122,8 @@ ArraySource fillCells(const Hierarchy& hierarchy, const CellField& field)
   {
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(block.cells.volume()));
-    forEachCell(block.cells, [&](const Int3& cell) { values.push_back(field(block.level, cell)); });
+    forEachPoint(
+      block.cells, [&](const Int3& cell) { values.push_back(field(block.level, cell)); });
     source.blocks.push_back(block.cells);
     source.values.push_back(std::move(values));
   }
@@ -152,7 +138,7 @@ void markDuplicates(const Hierarchy& hierarchy, bool firstIsReal, ArraySource& c
   {
     const Block& block = hierarchy.blocks[b];
     std::vector<unsigned char> duplicate;
-    forEachCell(block.cells,
+    forEachPoint(block.cells,
       [&](const Int3& cell)
       {
         bool better = false;
@@ -182,6 +168,14 @@ double shellAndBlobs(const Box& bounds, const glm::dvec3& logical)
     0.7 * bell(glm::distance(share, glm::dvec3(0.62, 0.55, 0.42)), 0.09);
 }
 
+TransferFunction layeredTransfer()
+{
+  return TransferFunction({ { 0.0, { 0.1, 0.1, 0.4, 0.0 } }, { 0.15, { 0.1, 0.2, 0.8, 0.0 } },
+    { 0.3, { 0.1, 0.7, 0.9, 0.08 } }, { 0.45, { 0.2, 0.8, 0.3, 0.02 } },
+    { 0.7, { 0.9, 0.8, 0.2, 0.1 } }, { 0.85, { 1.0, 0.4, 0.1, 0.5 } },
+    { 1.0, { 1.0, 1.0, 0.9, 0.3 } } });
+}
+
 double noise(int level, const Int3& cell, std::uint32_t seed)
 {
   std::uint64_t h = seed + 1;
@@ -202,7 +196,7 @@ Hierarchy refinedAtShell(const std::vector<int>& ratios, int coarseCells, int bl
   hierarchy.cellWidth = widthsOf(ratios);
   const Box bounds{ Int3(0), Int3(coarseCells * hierarchy.cellWidth[0]) };
   const Int3 coarseBlocks(coarseCells / blockCells);
-  forEachCell({ Int3(0), coarseBlocks },
+  forEachPoint({ Int3(0), coarseBlocks },
     [&](const Int3& b)
     {
       const Int3 lo = b * std::int64_t(blockCells);
@@ -216,7 +210,7 @@ Hierarchy refinedAtShell(const std::vector<int>& ratios, int coarseCells, int bl
     for (std::size_t b = begin; b < end; ++b)
     {
       const Int3 corner = hierarchy.blocks[b].cells.lo * std::int64_t(ratio);
-      forEachCell({ Int3(0), Int3(ratio) },
+      forEachPoint({ Int3(0), Int3(ratio) },
         [&](const Int3& child)
         {
           const Int3 lo = corner + child * std::int64_t(blockCells);

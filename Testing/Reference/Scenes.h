@@ -4,6 +4,7 @@
 #define ExaBricksReferenceScenes_h
 
 #include "Core/Scalars.h" // CellSource
+#include "Core/TransferFunction.h"
 
 #include <functional>
 #include <string>
@@ -43,6 +44,8 @@ void markDuplicates(const Hierarchy& hierarchy, bool firstIsReal, ArraySource& c
 
 /// A shell with two blobs in it, around the middle of `bounds` (logical); between about 0 and 1.
 double shellAndBlobs(const Box& bounds, const glm::dvec3& logical);
+/// A few translucent layers and a dense one, with colours, for such values.
+TransferFunction layeredTransfer();
 /// Repeatable noise in [0, 1).
 double noise(int level, const Int3& cell, std::uint32_t seed);
 

@@ -2,6 +2,7 @@
 #include "MakeAMR.h"
 
 #include "Cxx/AMR.h"
+#include "Reference/ForEachPoint.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
@@ -10,6 +11,8 @@ namespace exabricks
 {
 namespace stability
 {
+using reference::forEachPoint;
+
 namespace
 {
 // The lattice in VTK's way: from the coarsest level on.
@@ -41,22 +44,6 @@ test::Block toVTK(const Block& block)
   return result;
 }
 
-template <typename Visitor>
-void forEachCell(const Box& cells, const Visitor& visit)
-{
-  Int3 c;
-  for (c.z = cells.lo.z; c.z < cells.hi.z; ++c.z)
-  {
-    for (c.y = cells.lo.y; c.y < cells.hi.y; ++c.y)
-    {
-      for (c.x = cells.lo.x; c.x < cells.hi.x; ++c.x)
-      {
-        visit(c);
-      }
-    }
-  }
-}
-
 // Marks the cells that finer blocks hold all of.
 void markCovered(
   const Hierarchy& hierarchy, const Block& block, const Box& grid, unsigned char* marks)
@@ -75,7 +62,7 @@ void markCovered(
       covered.lo[axis] = -floorDivide(-finer.cells.lo[axis], ratio);
       covered.hi[axis] = floorDivide(finer.cells.hi[axis], ratio);
     }
-    forEachCell(intersection(covered, block.cells),
+    forEachPoint(intersection(covered, block.cells),
       [&](const Int3& c)
       {
         const Int3 at = c - grid.lo;
@@ -96,7 +83,8 @@ FieldSource::FieldSource(const Hierarchy& hierarchy, reference::CellField field)
 
 void FieldSource::read(int block, const Box& cells, double* values) const
 {
-  forEachCell(cells, [&](const Int3& cell) { *values++ = this->Field(this->Levels[block], cell); });
+  forEachPoint(
+    cells, [&](const Int3& cell) { *values++ = this->Field(this->Levels[block], cell); });
 }
 
 vtkSmartPointer<vtkOverlappingAMR> makeAMR(
@@ -129,7 +117,7 @@ vtkSmartPointer<vtkOverlappingAMR> makeAMR(
     marks->SetName(vtkDataSetAttributes::GhostArrayName());
     marks->SetNumberOfTuples(grid->GetNumberOfCells());
     vtkIdType i = 0;
-    forEachCell(cells,
+    forEachPoint(cells,
       [&](const Int3& cell)
       {
         const bool ghost = !block.cells.contains(cell);
@@ -157,13 +145,11 @@ reference::CellField shellField(const Hierarchy& hierarchy)
 
 std::vector<Node> layers(double lo, double hi)
 {
-  std::vector<Node> nodes{ { 0.0, { 0.1, 0.1, 0.4, 0.0 } }, { 0.15, { 0.1, 0.2, 0.8, 0.0 } },
-    { 0.3, { 0.1, 0.7, 0.9, 0.08 } }, { 0.45, { 0.2, 0.8, 0.3, 0.02 } },
-    { 0.7, { 0.9, 0.8, 0.2, 0.1 } }, { 0.85, { 1.0, 0.4, 0.1, 0.5 } },
-    { 1.0, { 1.0, 1.0, 0.9, 0.3 } } };
-  for (Node& node : nodes)
+  std::vector<Node> nodes;
+  const TransferFunction transfer = reference::layeredTransfer();
+  for (const TransferFunction::Point& point : transfer.points())
   {
-    node.value = (1.0 - node.value) * lo + node.value * hi;
+    nodes.push_back({ (1.0 - point.value) * lo + point.value * hi, point.color });
   }
   return nodes;
 }

@@ -40,7 +40,7 @@ vtkSmartPointer<vtkOverlappingAMR> makeAMR(
 
 /// Values that show structure, between about 0 and 1: reference::shellAndBlobs.
 reference::CellField shellField(const Hierarchy& hierarchy);
-/// A few translucent layers and a dense one, with colours, for these values.
+/// reference::layeredTransfer for these values, moved to [lo, hi].
 std::vector<Node> layers(double lo = 0.0, double hi = 1.0);
 /// One colour and opacity for all values.
 std::vector<Node> constantNodes(double opacity, const glm::dvec3& color = { 0.9, 0.6, 0.3 });

@@ -14,14 +14,7 @@
 
 namespace exabricks
 {
-/// A few translucent layers and a dense one, with colours.
-inline TransferFunction layeredTransfer()
-{
-  return TransferFunction({ { 0.0, { 0.1, 0.1, 0.4, 0.0 } }, { 0.15, { 0.1, 0.2, 0.8, 0.0 } },
-    { 0.3, { 0.1, 0.7, 0.9, 0.08 } }, { 0.45, { 0.2, 0.8, 0.3, 0.02 } },
-    { 0.7, { 0.9, 0.8, 0.2, 0.1 } }, { 0.85, { 1.0, 0.4, 0.1, 0.5 } },
-    { 1.0, { 1.0, 1.0, 0.9, 0.3 } } });
-}
+using reference::layeredTransfer;
 
 struct SceneRenderer
 {
