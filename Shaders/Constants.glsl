@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frame's constants, read once: in the loops each use would be a load.
+Bricks bricks;
+Regions regions;
+Indices brickLists;
+TransferBins transferBins;
+TransferKnots transferKnots;
+float stepScale;
+float inverseUnit;
+float integralUnit;
+float inverseIntegralUnit;
+float terminationOpacity;
+
+void readConstants(FrameBuffer f)
+{
+  bricks = Bricks(f.frame.bricks);
+  regions = Regions(f.frame.regions);
+  brickLists = Indices(f.frame.brickLists);
+  transferBins = TransferBins(f.frame.transferBins);
+  transferKnots = TransferKnots(f.frame.transferKnots);
+  stepScale = f.frame.stepScale;
+  inverseUnit = f.frame.inverseUnit;
+  integralUnit = f.frame.integralUnit;
+  inverseIntegralUnit = 1.0 / integralUnit;
+  terminationOpacity = f.frame.terminationOpacity;
+}

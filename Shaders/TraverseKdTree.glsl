@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The active regions along a ray, by a walk through the k-d tree over them.
+
+// Nodes that the ray still has to enter, nearest first, and where it leaves them. A short stack: what
+// falls off its end is found again from the root, which is what 0 stands for.
+struct Pending
+{
+  uvec4 nodes;
+  vec4 limits;
+};
+
+// The region that holds the ray just behind `distance`, and where the ray leaves it.
+uint locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out float exit)
+{
+  uint index = pending.nodes.x;
+  exit = index == 0 ? ray.end : pending.limits.x;
+  pending.nodes = uvec4(pending.nodes.yzw, 0);
+  pending.limits.xyz = pending.limits.yzw;
+  KdNode node = nodes.items[index];
+  while ((node.link & 3u) != KD_LEAF)
+  {
+    const uint axis = node.link & 3u;
+    const float plane = planeDistance(ray, node.plane, axis);
+    const float inverse = axis == 0 ? ray.inverse.x : axis == 1 ? ray.inverse.y : ray.inverse.z;
+    const bool ahead = plane > distance;
+    const uint lower = node.link >> 2;
+    // The lower child comes first for a ray that goes up.
+    const uint first = lower + uint(inverse < 0.0);
+    const uint last = lower + uint(inverse >= 0.0);
+    if (ahead && plane < exit)
+    {
+      pending.nodes = uvec4(last, pending.nodes.xyz);
+      pending.limits = vec4(exit, pending.limits.xyz);
+      exit = plane;
+    }
+    node = nodes.items[ahead ? first : last];
+  }
+  return node.link >> 2;
+}
+
+// One flat loop: every lane takes an interval each time round, and walks the tree only when its
+// region is used up.
+void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+{
+  KdNodes nodes = KdNodes(f.frame.nodes);
+  double skip = 0.0LF;
+  float exit = ray.begin;
+  Pending pending = Pending(uvec4(0), vec4(0.0));
+  while (true)
+  {
+    while (march.intervals == 0 && exit < ray.end)
+    {
+      if (exit > REBASE_DISTANCE)
+      {
+        skip += double(beforeRounding(exit));
+        if (!makeRay(f, pixel, skip, ray))
+        {
+          return;
+        }
+        exit = ray.begin;
+        march.exit = -1.0; // distances count anew
+        pending.nodes = uvec4(0);
+      }
+      const float entry = exit;
+      const uint region = locate(nodes, ray, entry, pending, exit);
+      if (region != KD_NO_REGION)
+      {
+        enterRegion(region, entry, exit, march);
+      }
+    }
+    if (march.intervals == 0)
+    {
+      return;
+    }
+    marchOn(ray, march);
+    if (march.color.a >= terminationOpacity)
+    {
+      return;
+    }
+  }
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The active regions along a ray, by an acceleration structure of their boxes.
+
+// Where the ray enters and leaves a region, between `distance` and its end.
+vec2 crossing(Ray ray, uint r, float distance)
+{
+  const Region region = regions.items[r];
+  const vec3 a = (vec3(region.lo - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 b = (vec3(region.hi - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 entries = min(a, b);
+  const vec3 exits = max(a, b);
+  return vec2(max(distance, max(entries.x, max(entries.y, entries.z))),
+    min(ray.end, min(exits.x, min(exits.y, exits.z))));
+}
+
+const int NEAREST = 8;
+
+// The nearest few regions at a time, sorted by entry. The query starts at the ray's present point:
+// on some drivers a later start prunes nothing.
+void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+{
+  Indices activeRegions = Indices(f.frame.activeRegions);
+  double skip = 0.0LF;
+  float distance = ray.begin;
+  while (distance < ray.end)
+  {
+    if (distance > REBASE_DISTANCE)
+    {
+      skip += double(beforeRounding(distance));
+      if (!makeRay(f, pixel, skip, ray))
+      {
+        return;
+      }
+      distance = ray.begin;
+      march.exit = -1.0; // distances count anew
+    }
+    float entry[NEAREST];
+    uint region[NEAREST];
+    for (int k = 0; k < NEAREST; ++k)
+    {
+      entry[k] = 1e30;
+      region[k] = KD_NO_REGION;
+    }
+    rayQueryEXT query;
+    rayQueryInitializeEXT(query, accelerationStructureEXT(f.frame.scene), gl_RayFlagsNoneEXT, 0xff,
+      vec3(ray.base) + ray.fraction + distance * ray.direction, 0.0, ray.direction,
+      ray.end - distance);
+    while (rayQueryProceedEXT(query))
+    {
+      uint r = activeRegions.items[rayQueryGetIntersectionPrimitiveIndexEXT(query, false)];
+      const vec2 cross = crossing(ray, r, distance);
+      float t = cross.x;
+      if (cross.x < cross.y && t < entry[NEAREST - 1])
+      {
+        for (int k = 0; k < NEAREST; ++k)
+        {
+          if (t < entry[k])
+          {
+            const float t2 = entry[k];
+            const uint r2 = region[k];
+            entry[k] = t;
+            region[k] = r;
+            t = t2;
+            r = r2;
+          }
+        }
+        if (region[NEAREST - 1] != KD_NO_REGION)
+        {
+          // Nothing behind the last of them is wanted now.
+          rayQueryGenerateIntersectionEXT(query, max(entry[NEAREST - 1] - distance, 0.0));
+        }
+      }
+    }
+    const bool full = region[NEAREST - 1] != KD_NO_REGION;
+    bool rebase = false;
+    for (int k = 0; k < NEAREST && !rebase; ++k)
+    {
+      if (region[k] == KD_NO_REGION)
+      {
+        break;
+      }
+      const vec2 cross = crossing(ray, region[k], distance);
+      if (cross.x > REBASE_DISTANCE)
+      {
+        distance = cross.x;
+        rebase = true;
+        break;
+      }
+      enterRegion(region[k], cross.x, cross.y, march);
+      while (march.intervals > 0)
+      {
+        marchOn(ray, march);
+        if (march.color.a >= terminationOpacity)
+        {
+          return;
+        }
+      }
+      distance = cross.y;
+    }
+    if (!full && !rebase)
+    {
+      return;
+    }
+  }
+}
