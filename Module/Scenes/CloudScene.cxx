@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cloud: a molecular cloud of filaments in a near-empty cube, as of a simulation of star formation.
+#include "Scenes/Makers.h"
+#include "Scenes/Noise.h"
+#include "Scenes/Refinement.h"
+
+namespace exabricks
+{
+namespace
+{
+// Share of the cloud at a place: 0 in the empty space around it.
+double envelope(const glm::dvec3& p)
+{
+  const glm::dvec3 q = (p - 0.5) * glm::dvec3(1.0, 1.25, 1.1);
+  const double lumps = 0.5 * smoothNoise(p * 3.1, 3) + 0.5 * smoothNoise(p * 6.3, 4);
+  return smoothStep(0.62, 0.2, glm::length(q) + 0.45 * (lumps - 0.5));
+}
+
+glm::dvec3 stirred(const glm::dvec3& p)
+{
+  return p + wander(p * 3.0, 0.09, 11) + wander(p * 7.0, 0.03, 12);
+}
+
+double cloudValue(const glm::dvec3& p, double width)
+{
+  const double inside = envelope(p);
+  if (inside <= 0.0)
+  {
+    return 0.02 * smoothNoise(p * 4.0, 9);
+  }
+  const glm::dvec3 q = stirred(p);
+  const double gas = turbulence(q * 6.0, octavesFor(1.0 / 6.0, width), 21);
+  const double thread = std::max(threads(q, 5.0, 0.11, 31), 0.75 * threads(q, 11.0, 0.13, 32));
+  return inside * (0.75 * thread * (0.45 + 0.8 * gas) + 0.45 * smoothStep(0.3, 0.9, gas)) +
+    0.02 * gas;
+}
+
+double cloudDrive(const glm::dvec3& p, int level)
+{
+  const double inside = envelope(p);
+  if (inside <= 0.0)
+  {
+    return 0.0;
+  }
+  const double thread = threads(stirred(p), 5.0, 0.2, 31);
+  const double wanted[] = { 0.25, 0.28, 0.3 };
+  return inside * (wanted[level] + 0.35 * thread);
+}
+}
+
+StandIn makeCloud(std::uint64_t leafCells)
+{
+  Recipe recipe;
+  recipe.levels = 4;
+  recipe.drive = cloudDrive;
+  recipe.clump = 2;
+  recipe.grain = 1.2;
+  recipe.seed = 1;
+  StandIn made = standInOf(StandInKind::Cloud, refineCells(recipe, 4.96, leafCells), cloudValue);
+  made.transfer =
+    TransferFunction({ { 0.0, { 0.05, 0.05, 0.2, 0.0 } }, { 0.12, { 0.1, 0.15, 0.5, 0.0 } },
+      { 0.16, { 0.2, 0.3, 0.8, 0.03 } }, { 0.2, { 0.2, 0.3, 0.8, 0.0 } },
+      { 0.3, { 0.6, 0.25, 0.6, 0.0 } }, { 0.36, { 0.9, 0.35, 0.4, 0.15 } },
+      { 0.42, { 0.9, 0.5, 0.3, 0.02 } }, { 0.55, { 1.0, 0.7, 0.3, 0.3 } },
+      { 0.75, { 1.0, 0.95, 0.8, 0.9 } }, { 1.0, { 1.0, 1.0, 1.0, 1.0 } } });
+  made.opacityUnitDistance = 0.03;
+  made.camera.position = { 1.35, 1.0, 2.3 };
+  made.camera.focalPoint = { 0.5, 0.49, 0.5 };
+  made.camera.viewAngle = 24.0;
+  return made;
+}
+}
