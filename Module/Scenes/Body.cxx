@@ -174,6 +174,10 @@ double wakeOf(const Rod& rod, const glm::dvec3& p, double length)
     std::clamp(glm::dot(p - rod.from, across) / std::max(glm::dot(across, across), 1e-9), 0.0, 1.0);
   const glm::dvec3 q = p - rod.from - share * (rod.to - rod.from);
   const double radius = mix(rod.radiusFrom, rod.radiusTo, share);
+  if (q.x < -radius)
+  {
+    return 0.0;
+  }
   // Vortices leave the two sides in turn, so that the wake swings.
   const double swing = radius * std::sin(q.x / (1.3 * radius)) * smoothStep(0.0, 4.0 * radius, q.x);
   const double aside = glm::length(glm::dvec3(0.0, q.y - 0.6 * swing, q.z));

@@ -13,7 +13,7 @@ double envelope(const glm::dvec3& p)
 {
   const glm::dvec3 q = (p - 0.5) * glm::dvec3(1.0, 1.25, 1.1);
   const double lumps = 0.5 * smoothNoise(p * 3.1, 3) + 0.5 * smoothNoise(p * 6.3, 4);
-  return smoothStep(0.62, 0.2, glm::length(q) + 0.45 * (lumps - 0.5));
+  return smoothStep(0.54, 0.15, glm::length(q) + 0.45 * (lumps - 0.5));
 }
 
 glm::dvec3 stirred(const glm::dvec3& p)
@@ -54,9 +54,9 @@ StandIn makeCloud(std::uint64_t leafCells)
   recipe.levels = 4;
   recipe.drive = cloudDrive;
   recipe.clump = 2;
-  recipe.grain = 1.2;
+  recipe.grain = 0.95;
   recipe.seed = 1;
-  StandIn made = standInOf(StandInKind::Cloud, refineCells(recipe, 4.96, leafCells), cloudValue);
+  StandIn made = standInOf(StandInKind::Cloud, refineCells(recipe, 3.4, leafCells), cloudValue);
   made.transfer =
     TransferFunction({ { 0.0, { 0.05, 0.05, 0.2, 0.0 } }, { 0.12, { 0.1, 0.15, 0.5, 0.0 } },
       { 0.16, { 0.2, 0.3, 0.8, 0.03 } }, { 0.2, { 0.2, 0.3, 0.8, 0.0 } },

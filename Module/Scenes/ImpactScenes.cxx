@@ -27,14 +27,14 @@ struct Phase
   double waveHeight;
   double trail; // strength of the asteroid's trail through the air
   double grain; // of the refinement
-  double wanted[3];
+  double reach; // of the refinement around what is seen
   double leavesPerCoarseCell;
 };
 
 const Phase phases[3] = {
-  { 0.10, 0.12, 0.10, 0.05, 0.045, 0.45, 0.0, 0.16, 0.01, 1.0, 1.0, { 0.45, 0.45, 0.45 }, 24.2 },
-  { 0.30, 0.20, 0.34, 0.14, 0.090, 0.70, 0.12, 0.42, 0.03, 0.4, 0.85, { 0.45, 0.45, 0.45 }, 4.90 },
-  { 0.12, 0.05, 0.05, 0.10, 0.130, 0.75, 0.33, 0.85, 0.07, 0.0, 1.75, { 0.45, 0.45, 0.45 }, 4.43 },
+  { 0.10, 0.12, 0.10, 0.05, 0.045, 0.45, 0.0, 0.16, 0.01, 1.0, 0.82, 1.5, 3.8 },
+  { 0.30, 0.20, 0.34, 0.14, 0.090, 0.70, 0.12, 0.42, 0.03, 0.4, 0.85, 1.0, 4.90 },
+  { 0.12, 0.05, 0.05, 0.10, 0.130, 0.75, 0.33, 0.85, 0.07, 0.0, 1.85, 1.0, 4.43 },
 };
 
 // Distances, in units of the scene: below 0 is inside.
@@ -72,10 +72,12 @@ Place locate(const Phase& phase, const glm::dvec3& position)
 
   const double share = std::clamp(h / phase.plumeHeight, -0.2, 2.0);
   const double column = phase.plumeRadius * (0.75 + 0.5 * std::max(share, 0.0));
-  const glm::dvec3 cap = (glm::dvec3(r, h - phase.plumeHeight, 0.0)) * glm::dvec3(1.0, 1.9, 1.0);
-  place.plume =
-    std::min(std::max({ r - column, h - phase.plumeHeight, -h - 0.5 * phase.craterDepth }),
-      glm::length(cap) - phase.capRadius - (phase.capRadius > 0.0 ? 0.0 : 1.0));
+  place.plume = std::max({ r - column, h - phase.plumeHeight, -h - 0.5 * phase.craterDepth });
+  if (phase.capRadius > 0.0)
+  {
+    const glm::dvec3 fromCap = glm::dvec3(r, 1.9 * (h - phase.plumeHeight), 0.0);
+    place.plume = std::min(place.plume, glm::length(fromCap) - phase.capRadius);
+  }
 
   // It came along this line.
   const glm::dvec3 line = glm::normalize(glm::dvec3(-0.8, 0.75, 0.1));
@@ -98,7 +100,7 @@ double impactValue(const Phase& phase, const glm::dvec3& p, double width)
   value = mix(value, 0.2 + 0.1 * rough, phase.trail * inside(place.trail, 0.02));
   value = mix(value, 0.34 - 0.08 * (Sea - p.y) / Sea, inside(place.water, sharp));
   value = mix(value, 0.42 + 0.16 * rough, inside(place.crown, sharp));
-  const double heat = smoothStep(0.0, -0.12, place.plume);
+  const double heat = smoothStep(0.0, -0.9 * phase.plumeRadius, place.plume);
   return mix(value, 0.52 + 0.42 * heat + 0.6 * (rough - 0.5), inside(place.plume, 3.0 * sharp));
 }
 
@@ -106,13 +108,13 @@ double impactDrive(const Phase& phase, const glm::dvec3& p, int level)
 {
   const Place place = locate(phase, p);
   const double reach[] = { 0.13, 0.09, 0.07 };
-  const double near = reach[level];
+  const double near = phase.reach * reach[level];
   const double surface = 0.75 * bell(place.water, 0.6 * near);
   const double splash = bell(std::max(place.crown, 0.0), near);
   const double steam = bell(std::max(place.plume, 0.0), near);
   const double trail = 0.8 * phase.trail * bell(std::max(place.trail, 0.0), 0.5 * near);
   const double most = std::max(std::max(surface, splash), std::max(steam, trail));
-  return phase.wanted[level] * smoothStep(0.2, 0.8, most);
+  return 0.45 * smoothStep(0.2, 0.8, most);
 }
 }
 

@@ -12,8 +12,9 @@ namespace exabricks
 namespace
 {
 const glm::dvec3 SceneSize{ 2.0, 1.4, 0.7 };
+constexpr double Negligible = 0.002; // a wake so weak is left out, to save time
 constexpr double FinestCell = 8.0;
-const glm::dvec3 Corner{ 1.2e6, 1.19e6 - 32.0, 1.21e6 - 16.0 }; // whole coarse cells of 64
+const glm::dvec3 Corner{ 1200000.0, 1190400.0, 1209600.0 }; // whole coarse cells of 64
 
 constexpr double Axis = 0.7; // the plane of symmetry, y
 constexpr double Height = 0.33;
@@ -81,11 +82,17 @@ double jetValue(const Body& body, const glm::dvec3& position, double width)
   }
   const glm::dvec3 p =
     position + wander(position * 16.0, 0.01, 71) + wander(position * 37.0, 0.006, 72);
+  const double air = 0.04 * smoothNoise(position * 5.0, 75) + 0.6 * bell(distance, 0.009) +
+    0.95 * tipVortices(p, 0.018);
+  const double hot = jets(p, 0.03);
+  const double slow = wake(p, 0.022);
+  if (hot + slow < Negligible)
+  {
+    return air;
+  }
   const double rough = turbulence(position * 20.0, octavesFor(1.0 / 20.0, width), 73);
   const double worms = threads(p, 26.0, 0.17, 74);
-  return 0.04 * smoothNoise(position * 5.0, 75) + 0.6 * bell(distance, 0.009) +
-    0.95 * tipVortices(p, 0.018) + jets(p, 0.03) * (0.2 + 0.5 * rough + 0.5 * worms) +
-    wake(p, 0.022) * (0.15 + 0.3 * rough + 0.7 * worms);
+  return air + hot * (0.2 + 0.5 * rough + 0.5 * worms) + slow * (0.15 + 0.3 * rough + 0.7 * worms);
 }
 
 double jetDrive(const Body& body, const glm::dvec3& p, int level)

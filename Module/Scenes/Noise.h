@@ -10,17 +10,6 @@
 
 namespace exabricks
 {
-/// In [0, 1), without correlation between lattice points.
-inline double whiteNoise(const Int3& p, std::uint32_t seed)
-{
-  std::uint64_t h = static_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15u ^
-    static_cast<std::uint64_t>(p.y) * 0xc2b2ae3d27d4eb4fu ^
-    static_cast<std::uint64_t>(p.z) * 0x165667b19e3779f9u ^ (seed * 0xd6e8feb86659fd93u);
-  h = (h ^ (h >> 32)) * 0xd6e8feb86659fd93u;
-  h = (h ^ (h >> 32)) * 0xd6e8feb86659fd93u;
-  return static_cast<double>((h ^ (h >> 32)) >> 11) / 9007199254740992.0;
-}
-
 inline double smoothStep(double from, double to, double x)
 {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -32,16 +21,49 @@ inline double mix(double a, double b, double share) { return a + (b - a) * share
 /// 1 at 0, 1/e at `width`.
 inline double bell(double x, double width) { return std::exp(-(x * x) / (width * width)); }
 
+/// The lattice points around a position: random bits of each, and how much it weighs.
+struct NoiseCorners
+{
+  std::uint32_t bits[8];
+  double weight[8];
+
+  NoiseCorners(const glm::dvec3& p, std::uint32_t seed)
+  {
+    // by hand: without SSE4.1 floor() is a call
+    const auto below = [](double x)
+    {
+      const std::int64_t n = static_cast<std::int64_t>(x);
+      return n - (x < static_cast<double>(n) ? 1 : 0);
+    };
+    const Int3 c(below(p.x), below(p.y), below(p.z));
+    const glm::dvec3 f = p - glm::dvec3(c);
+    const glm::dvec3 t = f * f * (3.0 - 2.0 * f);
+    const std::uint32_t x = static_cast<std::uint32_t>(c.x) * 0x9e3779b1u + seed * 0x27d4eb2fu;
+    const std::uint32_t y = static_cast<std::uint32_t>(c.y) * 0x85ebca77u;
+    const std::uint32_t z = static_cast<std::uint32_t>(c.z) * 0xc2b2ae3du;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      std::uint32_t h = (x + (i & 1) * 0x9e3779b1u) ^ (y + ((i >> 1) & 1) * 0x85ebca77u) ^
+        (z + (i >> 2) * 0xc2b2ae3du);
+      h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+      h = (h ^ (h >> 12)) * 0x297a2d39u;
+      this->bits[i] = h ^ (h >> 15);
+      this->weight[i] =
+        ((i & 1) ? t.x : 1.0 - t.x) * ((i & 2) ? t.y : 1.0 - t.y) * ((i & 4) ? t.z : 1.0 - t.z);
+    }
+  }
+};
+
 /// In [0, 1], smooth, correlated over a length of 1.
 inline double smoothNoise(const glm::dvec3& p, std::uint32_t seed)
 {
-  const glm::dvec3 floor = glm::floor(p);
-  const glm::dvec3 f = p - floor;
-  const glm::dvec3 t = f * f * (3.0 - 2.0 * f);
-  const Int3 c(floor);
-  const auto along = [&](int y, int z)
-  { return mix(whiteNoise(c + Int3(0, y, z), seed), whiteNoise(c + Int3(1, y, z), seed), t.x); };
-  return mix(mix(along(0, 0), along(1, 0), t.y), mix(along(0, 1), along(1, 1), t.y), t.z);
+  const NoiseCorners corners(p, seed);
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    sum += corners.weight[i] * corners.bits[i];
+  }
+  return sum / 4294967295.0;
 }
 
 /// Octaves of turbulence whose longest waves are `length` that cells of `width` can hold.
@@ -78,10 +100,14 @@ inline double threads(const glm::dvec3& p, double waves, double width, std::uint
 /// A displacement of up to `amount` along each axis.
 inline glm::dvec3 wander(const glm::dvec3& p, double amount, std::uint32_t seed)
 {
-  return amount *
-    (2.0 *
-        glm::dvec3(smoothNoise(p, seed), smoothNoise(p, seed + 101), smoothNoise(p, seed + 202)) -
-      1.0);
+  const NoiseCorners corners(p, seed);
+  glm::dvec3 sum(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    const std::uint32_t h = corners.bits[i];
+    sum += corners.weight[i] * glm::dvec3(h & 1023, (h >> 10) & 1023, (h >> 20) & 1023);
+  }
+  return amount * (2.0 / 1023.0 * sum - 1.0);
 }
 }
 

@@ -218,9 +218,9 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
   }
 
   Hierarchy hierarchy = coarseGrid(grid * std::int64_t(blockCells), 4 * blockCells, recipe.levels);
-  // The grid's shape is not quite the scene's: it is laid around the scene's middle.
+  // The grid's shape is not quite the scene's: it is laid around all of it.
   const glm::dvec3 perBlock = recipe.size / glm::dvec3(grid);
-  const double coarseBlock = std::cbrt(perBlock.x * perBlock.y * perBlock.z);
+  const double coarseBlock = std::max({ perBlock.x, perBlock.y, perBlock.z });
   hierarchy.origin = 0.5 * (recipe.size - coarseBlock * glm::dvec3(grid));
   hierarchy.spacing =
     glm::dvec3(coarseBlock / static_cast<double>(blockCells * hierarchy.cellWidth[0]));
@@ -237,6 +237,7 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
       }
     }
   }
+  double leaves = coarseBlocks;
   for (int level = 0; level + 1 < recipe.levels; ++level)
   {
     const double blockSize = std::ldexp(coarseBlock, -level);
@@ -250,8 +251,13 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
         noise * luck - recipe.drive(hierarchy.origin + center * blockSize, level), b);
     }
     std::sort(order.begin(), order.end());
+    // The last level makes up for what was rounded on the others.
+    const double count = level + 2 < recipe.levels
+      ? lower * refined[level] * static_cast<double>(order.size())
+      : (wanted - leaves) / 7.0;
     order.resize(static_cast<std::size_t>(
-      std::round(lower * refined[level] * static_cast<double>(order.size()))));
+      std::clamp(std::round(count), 1.0, static_cast<double>(order.size()))));
+    leaves += 7.0 * static_cast<double>(order.size());
     // in the order of space, for the merging
     std::sort(
       order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -9,8 +9,8 @@ namespace
 {
 // In the order of StandInKind.
 const StandInDescription descriptions[StandInKinds] = {
-  { "Cloud", 77.0, { 0.19, 0.05, 0.09, 0.67 }, 50000, false },
-  { "Impact-5K", 46.0, { 0.03, 0.06, 0.13, 0.78 }, 50000, false },
+  { "Cloud", 77.0, { 0.28, 0.04, 0.08, 0.60 }, 50000, false },
+  { "Impact-5K", 46.0, { 0.25, 0.09, 0.16, 0.50 }, 50000, false },
   { "Impact-20K", 46.0, { 0.20, 0.08, 0.16, 0.56 }, 50000, false },
   { "Impact-46K", 89.0, { 0.22, 0.08, 0.15, 0.55 }, 50000, false },
   { "Wind", 16000.0, { 0.09, 0.21, 0.70 }, 1000000, false },

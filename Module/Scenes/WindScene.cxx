@@ -11,17 +11,17 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 const glm::dvec3 SceneSize{ 3.0, 1.0, 1.0 };
-const glm::dvec3 Hub{ 0.4, 0.5, 0.5 };
-constexpr double Blade = 0.24;
-constexpr double Pitch = 0.42; // of one blade's helix
+const glm::dvec3 Hub{ 0.4, 0.5, 0.26 };
+constexpr double Blade = 0.15;
+constexpr double Pitch = 0.36; // of one blade's helix
 
-double wakeRadius(double behind) { return Blade * (1.0 + 0.16 * std::max(behind, 0.0)); }
+double wakeRadius(double behind) { return Blade * (1.0 + 0.1 * std::max(behind, 0.0)); }
 
 double windValue(const glm::dvec3& position, double width)
 {
   const double broken = smoothStep(0.5, 1.8, position.x - Hub.x);
-  const glm::dvec3 p = position - Hub + wander(position * 5.0, 0.015 + 0.1 * broken, 51) +
-    wander(position * 13.0, 0.05 * broken, 52);
+  const glm::dvec3 p = position - Hub + wander(position * 5.0, 0.012 + 0.06 * broken, 51) +
+    wander(position * 13.0, 0.03 * broken, 52);
   const double behind = p.x;
   const double r = std::hypot(p.y, p.z);
   const double edge = r - wakeRadius(behind);
@@ -30,10 +30,9 @@ double windValue(const glm::dvec3& position, double width)
   // Distance along x to the next of the three helices.
   const double turns = std::atan2(p.z, p.y) / (2.0 * Pi) + behind / Pitch;
   const double toBlade = (turns * 3.0 - std::round(turns * 3.0)) / 3.0 * Pitch;
-  const double tips =
-    bell(std::hypot(edge, toBlade), 0.026 + 0.012 * behind) * (1.0 - 0.45 * broken);
+  const double tips = bell(std::hypot(edge, toBlade), 0.02 + 0.01 * behind) * (1.0 - 0.45 * broken);
   const double sheet = 0.35 * bell(toBlade, 0.02) * bell(r, 0.7 * Blade) * bell(behind, 0.8);
-  const double hub = 0.8 * bell(r, 0.035 + 0.02 * behind) * bell(behind, 1.6);
+  const double hub = 0.8 * bell(r, 0.028 + 0.016 * behind) * bell(behind, 1.6);
   const double rough = turbulence(position * 8.0, octavesFor(1.0 / 8.0, width), 53);
   const double worms = threads(position, 14.0, 0.16, 54);
   const double wake =
@@ -70,7 +69,7 @@ StandIn makeWind(std::uint64_t leafCells)
       { 0.8, { 1.0, 0.4, 0.1, 0.8 } }, { 1.0, { 0.9, 0.1, 0.1, 0.95 } } });
   made.opacityUnitDistance = 0.03;
   made.camera.position = { -0.9, 1.35, 2.9 };
-  made.camera.focalPoint = { 1.25, 0.45, 0.5 };
+  made.camera.focalPoint = { 1.25, 0.4, 0.3 };
   made.camera.viewAngle = 30.0;
   return made;
 }

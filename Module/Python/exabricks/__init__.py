@@ -12,9 +12,15 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from .vtkRenderingVolumeExaBricks import (
     vtkExaBricksBuilder,
     vtkExaBricksData,
+    vtkExaBricksSceneSource,
     vtkExaBricksVolumeMapper,
 )
 
 __version__ = "0.1.0"
 
-__all__ = ["vtkExaBricksBuilder", "vtkExaBricksData", "vtkExaBricksVolumeMapper"]
+__all__ = [
+    "vtkExaBricksBuilder",
+    "vtkExaBricksData",
+    "vtkExaBricksSceneSource",
+    "vtkExaBricksVolumeMapper",
+]

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/SceneOutput.h"
+
+#include "Adapters/AMRCompatibility.h"
+#include "Core/BlockIndex.h"
+
+#include "vtkAMRBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredData.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace exabricks
+{
+namespace
+{
+void initialize(const Hierarchy& hierarchy, vtkOverlappingAMR* amr)
+{
+  std::vector<int> blocksPerLevel(hierarchy.levels(), 0);
+  for (const Block& block : hierarchy.blocks)
+  {
+    ++blocksPerLevel[block.level];
+  }
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
+  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
+#else
+  amr->Initialize(hierarchy.levels(), blocksPerLevel.data());
+  amr->SetGridDescription(VTK_XYZ_GRID);
+#endif
+  amr->SetOrigin(&hierarchy.origin.x);
+  for (int level = 0; level < hierarchy.levels(); ++level)
+  {
+    const glm::dvec3 spacing = hierarchy.spacing * static_cast<double>(hierarchy.cellWidth[level]);
+    amr->SetSpacing(static_cast<unsigned int>(level), &spacing.x);
+  }
+}
+
+// Marks the cells of the block that blocks of the next level cover: those of further levels lie
+// inside them.
+void markRefined(
+  const Hierarchy& hierarchy, const BlockIndex& index, const Block& block, unsigned char* marks)
+{
+  const int finer = block.level + 1;
+  if (finer == hierarchy.levels())
+  {
+    return;
+  }
+  const Box logical = hierarchy.logicalBox(block);
+  const Int3 size = block.cells.size();
+  index.boxes[finer].forEachIntersecting(logical,
+    [&](int i)
+    {
+      const Box covered = outwardToCells(
+        intersection(index.boxes[finer].box(i), logical), hierarchy.cellWidth[block.level]);
+      for (std::int64_t z = covered.lo.z; z < covered.hi.z; ++z)
+      {
+        for (std::int64_t y = covered.lo.y; y < covered.hi.y; ++y)
+        {
+          const Int3 at = Int3(covered.lo.x, y, z) - block.cells.lo;
+          std::fill_n(marks + at.x + size.x * (at.y + size.y * at.z), covered.size().x,
+            static_cast<unsigned char>(vtkDataSetAttributes::REFINEDCELL));
+        }
+      }
+    });
+}
+
+vtkSmartPointer<vtkUniformGrid> makeGrid(const Hierarchy& hierarchy, const Block& block)
+{
+  const glm::dvec3 spacing =
+    hierarchy.spacing * static_cast<double>(hierarchy.cellWidth[block.level]);
+  const glm::dvec3 corner = hierarchy.origin + spacing * glm::dvec3(block.cells.lo);
+  const glm::ivec3 points(block.cells.size() + std::int64_t(1));
+  auto grid = vtkSmartPointer<vtkUniformGrid>::New();
+  grid->SetOrigin(&corner.x);
+  grid->SetSpacing(&spacing.x);
+  grid->SetDimensions(points.x, points.y, points.z);
+  return grid;
+}
+}
+
+bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
+  vtkOverlappingAMR* amr, const Progress& progress)
+{
+  initialize(hierarchy, amr);
+  const BlockIndex index(hierarchy);
+  const int count = static_cast<int>(hierarchy.blocks.size());
+  std::vector<vtkSmartPointer<vtkFloatArray>> arrays;
+  std::vector<unsigned int> next(hierarchy.levels(), 0);
+  for (const Block& block : hierarchy.blocks)
+  {
+    const vtkIdType size = static_cast<vtkIdType>(block.cells.volume());
+    auto grid = makeGrid(hierarchy, block);
+    vtkNew<vtkFloatArray> values;
+    values->SetName(name);
+    values->SetNumberOfValues(size);
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->SetNumberOfValues(size);
+    marks->FillValue(0);
+    markRefined(hierarchy, index, block, marks->GetPointer(0));
+    grid->GetCellData()->SetScalars(values);
+    grid->GetCellData()->AddArray(marks);
+    arrays.emplace_back(values);
+
+    const unsigned int level = static_cast<unsigned int>(block.level);
+    const glm::ivec3 first(block.cells.lo);
+    const glm::ivec3 last(block.cells.hi - std::int64_t(1));
+    amr->SetAMRBox(level, next[level], vtkAMRBox(&first.x, &last.x));
+    amr->SetDataSet(level, next[level]++, grid);
+  }
+
+  // Filled in parts, so that progress can be told between them.
+  constexpr int part = 512;
+  for (int begin = 0; begin < count; begin += part)
+  {
+    if (progress && !progress(static_cast<double>(begin) / count))
+    {
+      return false;
+    }
+    const int end = std::min(begin + part, count);
+#pragma omp parallel for schedule(dynamic, 4)
+    for (int b = begin; b < end; ++b)
+    {
+      // row by row: a block may be large
+      const Box& box = hierarchy.blocks[b].cells;
+      float* to = arrays[b]->GetPointer(0);
+      std::vector<double> row(static_cast<std::size_t>(box.size().x));
+      for (std::int64_t z = box.lo.z; z < box.hi.z; ++z)
+      {
+        for (std::int64_t y = box.lo.y; y < box.hi.y; ++y)
+        {
+          cells.read(b, { { box.lo.x, y, z }, { box.hi.x, y + 1, z + 1 } }, row.data());
+          to = std::transform(
+            row.begin(), row.end(), to, [](double value) { return static_cast<float>(value); });
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void writeMesh(const TriangleMesh& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble(); // far from 0 a float has too few digits
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), &mesh.points[i].x);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const glm::ivec3& triangle : mesh.triangles)
+  {
+    triangles->InsertNextCell({ triangle.x, triangle.y, triangle.z });
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+}
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the core's hierarchy, values and triangles to VTK's data objects.
+#ifndef ExaBricksAdaptersSceneOutput_h
+#define ExaBricksAdaptersSceneOutput_h
+
+#include "Scenes/StandIn.h"
+
+class vtkOverlappingAMR;
+class vtkPolyData;
+
+namespace exabricks
+{
+/// Blocks with a cell array `name`; cells that finer blocks cover are marked REFINEDCELL. Returns
+/// false if `progress` aborts.
+bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
+  vtkOverlappingAMR* amr, const Progress& progress = {});
+
+void writeMesh(const TriangleMesh& mesh, vtkPolyData* output);
+}
+
+#endif

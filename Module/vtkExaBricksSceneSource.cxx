@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksSceneSource.h"
+
+#include "Adapters/SceneOutput.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
+#include "vtkVolumeProperty.h"
+
+#include "vtksys/SystemTools.hxx"
+
+#include <new>
+
+vtkStandardNewMacro(vtkExaBricksSceneSource);
+
+using exabricks::StandIn;
+using exabricks::StandInKind;
+
+static_assert(vtkExaBricksSceneSource::EXAJET_WING + 1 == exabricks::StandInKinds &&
+    vtkExaBricksSceneSource::GEAR == static_cast<int>(StandInKind::Gear),
+  "scenes have the numbers of the stand-ins");
+
+struct vtkExaBricksSceneSource::vtkInternals
+{
+  StandIn Made; // of the last run, without blocks
+};
+
+vtkExaBricksSceneSource::vtkExaBricksSceneSource()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkExaBricksSceneSource::~vtkExaBricksSceneSource() = default;
+
+void vtkExaBricksSceneSource::SetSceneName(const char* name)
+{
+  const std::string wanted = vtksys::SystemTools::LowerCase(name ? name : "");
+  std::string names;
+  for (int scene = 0; scene < exabricks::StandInKinds; ++scene)
+  {
+    const char* known = exabricks::describe(static_cast<StandInKind>(scene)).name;
+    if (vtksys::SystemTools::LowerCase(known) == wanted)
+    {
+      this->SetScene(scene);
+      return;
+    }
+    names += (scene > 0 ? ", " : "") + std::string(known);
+  }
+  vtkErrorMacro("Expected the name of a scene, found '" << (name ? name : "(null)")
+                                                        << "'. Take one of: " << names << ".");
+}
+
+const char* vtkExaBricksSceneSource::GetSceneName()
+{
+  return exabricks::describe(static_cast<StandInKind>(this->Scene)).name;
+}
+
+vtkIdType vtkExaBricksSceneSource::GetLeastNumberOfLeafCells()
+{
+  return static_cast<vtkIdType>(
+    exabricks::describe(static_cast<StandInKind>(this->Scene)).leastLeafCells);
+}
+
+double vtkExaBricksSceneSource::GetCellsPerBrickOfOriginal()
+{
+  return exabricks::describe(static_cast<StandInKind>(this->Scene)).cellsPerBrick;
+}
+
+vtkPolyData* vtkExaBricksSceneSource::GetMesh()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkExaBricksSceneSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkOverlappingAMR" : "vtkPolyData");
+  return 1;
+}
+
+int vtkExaBricksSceneSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(outputVector, 0);
+  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, 1);
+  if (this->NumberOfLeafCells < this->GetLeastNumberOfLeafCells())
+  {
+    vtkWarningMacro("Expected at least "
+      << this->GetLeastNumberOfLeafCells() << " leaf cells for " << this->GetSceneName()
+      << ", found NumberOfLeafCells " << this->NumberOfLeafCells
+      << ": the least number is made. Ask for it, or choose another scene.");
+  }
+  try
+  {
+    StandIn made = exabricks::makeStandIn(
+      static_cast<StandInKind>(this->Scene), static_cast<std::uint64_t>(this->NumberOfLeafCells));
+    const auto progress = [this](double done)
+    {
+      this->UpdateProgress(done);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+      return !(this->CheckAbort() || this->GetAbortExecute());
+#else
+      return this->GetAbortExecute() == 0;
+#endif
+    };
+    if (!exabricks::writeAMR(made.hierarchy, *made.cells, "value", amr, progress))
+    {
+      amr->Initialize();
+      return 1;
+    }
+    exabricks::writeMesh(made.mesh, mesh);
+    made.hierarchy = {};
+    made.cells.reset();
+    made.mesh = {};
+    this->Internals->Made = std::move(made);
+  }
+  catch (const std::bad_alloc&)
+  {
+    amr->Initialize();
+    mesh->Initialize();
+    vtkErrorMacro("Expected memory for "
+      << this->NumberOfLeafCells
+      << " leaf cells, the machine has too little. Set a smaller NumberOfLeafCells.");
+  }
+  return 1;
+}
+
+void vtkExaBricksSceneSource::InitializeCamera(vtkCamera* camera)
+{
+  if (!camera)
+  {
+    vtkErrorMacro("Expected a camera, found none. Give the renderer's active camera.");
+    return;
+  }
+  this->Update();
+  const exabricks::StandInCamera& own = this->Internals->Made.camera;
+  camera->SetParallelProjection(0);
+  camera->SetPosition(own.position.x, own.position.y, own.position.z);
+  camera->SetFocalPoint(own.focalPoint.x, own.focalPoint.y, own.focalPoint.z);
+  camera->SetViewUp(own.viewUp.x, own.viewUp.y, own.viewUp.z);
+  camera->SetViewAngle(own.viewAngle);
+}
+
+void vtkExaBricksSceneSource::InitializeProperty(vtkVolumeProperty* property)
+{
+  if (!property)
+  {
+    vtkErrorMacro("Expected a volume property, found none. Give the volume's own.");
+    return;
+  }
+  this->Update();
+  const StandIn& made = this->Internals->Made;
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const auto& point : made.transfer.points())
+  {
+    const double value = made.range.min + point.value * (made.range.max - made.range.min);
+    color->AddRGBPoint(value, point.color.r, point.color.g, point.color.b);
+    opacity->AddPoint(value, point.color.a);
+  }
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(made.opacityUnitDistance);
+}
+
+void vtkExaBricksSceneSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scene: " << this->GetSceneName() << "\n";
+  os << indent << "NumberOfLeafCells: " << this->NumberOfLeafCells << "\n";
+}
