@@ -30,8 +30,8 @@ double cloudValue(const glm::dvec3& p, double width)
   }
   const glm::dvec3 q = stirred(p);
   const double gas = turbulence(q * 6.0, octavesFor(1.0 / 6.0, width), 21);
-  const double thread = std::max(threads(q, 5.0, 0.11, 31), 0.75 * threads(q, 11.0, 0.13, 32));
-  return inside * (0.75 * thread * (0.45 + 0.8 * gas) + 0.45 * smoothStep(0.3, 0.9, gas)) +
+  const double thread = std::max(threads(q, 5.0, 0.09, 31), 0.75 * threads(q, 11.0, 0.13, 32));
+  return inside * (0.75 * thread * (0.45 + 0.8 * gas) + 0.28 * smoothStep(0.3, 0.9, gas)) +
     0.02 * gas;
 }
 
@@ -61,10 +61,10 @@ StandIn makeCloud(std::uint64_t leafCells)
     TransferFunction({ { 0.0, { 0.05, 0.05, 0.2, 0.0 } }, { 0.12, { 0.1, 0.15, 0.5, 0.0 } },
       { 0.16, { 0.2, 0.3, 0.8, 0.03 } }, { 0.2, { 0.2, 0.3, 0.8, 0.0 } },
       { 0.3, { 0.6, 0.25, 0.6, 0.0 } }, { 0.36, { 0.9, 0.35, 0.4, 0.15 } },
-      { 0.42, { 0.9, 0.5, 0.3, 0.02 } }, { 0.55, { 1.0, 0.7, 0.3, 0.3 } },
-      { 0.75, { 1.0, 0.95, 0.8, 0.9 } }, { 1.0, { 1.0, 1.0, 1.0, 1.0 } } });
+      { 0.42, { 0.9, 0.5, 0.3, 0.02 } }, { 0.55, { 1.0, 0.7, 0.3, 0.2 } },
+      { 0.75, { 1.0, 0.95, 0.8, 0.7 } }, { 1.0, { 1.0, 1.0, 1.0, 1.0 } } });
   made.opacityUnitDistance = 0.03;
-  made.camera.position = { 1.35, 1.0, 2.3 };
+  made.camera.position = { 1.25, 0.9, 2.05 };
   made.camera.focalPoint = { 0.5, 0.49, 0.5 };
   made.camera.viewAngle = 24.0;
   return made;

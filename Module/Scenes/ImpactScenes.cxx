@@ -26,15 +26,16 @@ struct Phase
   double waveRadius; // how far waves have come
   double waveHeight;
   double trail; // strength of the asteroid's trail through the air
+  double stir;  // displacement by turbulence
   double grain; // of the refinement
   double reach; // of the refinement around what is seen
   double leavesPerCoarseCell;
 };
 
 const Phase phases[3] = {
-  { 0.10, 0.12, 0.10, 0.05, 0.045, 0.45, 0.0, 0.16, 0.01, 1.0, 0.82, 1.5, 3.8 },
-  { 0.30, 0.20, 0.34, 0.14, 0.090, 0.70, 0.12, 0.42, 0.03, 0.4, 0.85, 1.0, 4.90 },
-  { 0.12, 0.05, 0.05, 0.10, 0.130, 0.75, 0.33, 0.85, 0.07, 0.0, 1.85, 1.0, 4.43 },
+  { 0.10, 0.12, 0.10, 0.05, 0.045, 0.45, 0.0, 0.16, 0.01, 1.0, 0.014, 0.82, 1.5, 3.8 },
+  { 0.30, 0.20, 0.34, 0.14, 0.090, 0.70, 0.12, 0.42, 0.03, 0.4, 0.022, 0.85, 1.0, 4.90 },
+  { 0.12, 0.05, 0.05, 0.10, 0.130, 0.60, 0.33, 0.85, 0.07, 0.0, 0.035, 1.85, 1.0, 4.43 },
 };
 
 // Distances, in units of the scene: below 0 is inside.
@@ -94,14 +95,15 @@ double impactValue(const Phase& phase, const glm::dvec3& p, double width)
 {
   const double length = 0.16;
   const double rough = turbulence(p / length, octavesFor(length, width), 41);
-  const Place place = locate(phase, p + (rough - 0.5) * glm::dvec3(0.03, 0.05, 0.03));
+  const Place place =
+    locate(phase, p + wander(p * 9.0, phase.stir, 42) + wander(p * 23.0, 0.5 * phase.stir, 43));
   const double sharp = std::max(1.2 * width, 0.004);
   double value = 0.05 + 0.04 * smoothNoise(p * 5.0, 8);
   value = mix(value, 0.2 + 0.1 * rough, phase.trail * inside(place.trail, 0.02));
   value = mix(value, 0.34 - 0.08 * (Sea - p.y) / Sea, inside(place.water, sharp));
   value = mix(value, 0.42 + 0.16 * rough, inside(place.crown, sharp));
   const double heat = smoothStep(0.0, -0.9 * phase.plumeRadius, place.plume);
-  return mix(value, 0.52 + 0.42 * heat + 0.6 * (rough - 0.5), inside(place.plume, 3.0 * sharp));
+  return mix(value, 0.5 + 0.38 * heat + 1.1 * (rough - 0.5), inside(place.plume, 3.0 * sharp));
 }
 
 double impactDrive(const Phase& phase, const glm::dvec3& p, int level)

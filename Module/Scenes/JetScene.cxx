@@ -83,7 +83,7 @@ double jetValue(const Body& body, const glm::dvec3& position, double width)
   const glm::dvec3 p =
     position + wander(position * 16.0, 0.01, 71) + wander(position * 37.0, 0.006, 72);
   const double air = 0.04 * smoothNoise(position * 5.0, 75) + 0.6 * bell(distance, 0.009) +
-    0.95 * tipVortices(p, 0.018);
+    0.95 * tipVortices(p, 0.012) * std::exp(-std::max(p.x - 0.92, 0.0) / 0.9);
   const double hot = jets(p, 0.03);
   const double slow = wake(p, 0.022);
   if (hot + slow < Negligible)

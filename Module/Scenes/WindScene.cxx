@@ -30,7 +30,8 @@ double windValue(const glm::dvec3& position, double width)
   // Distance along x to the next of the three helices.
   const double turns = std::atan2(p.z, p.y) / (2.0 * Pi) + behind / Pitch;
   const double toBlade = (turns * 3.0 - std::round(turns * 3.0)) / 3.0 * Pitch;
-  const double tips = bell(std::hypot(edge, toBlade), 0.02 + 0.01 * behind) * (1.0 - 0.45 * broken);
+  const double tips =
+    bell(std::hypot(edge, toBlade), 0.024 + 0.01 * behind) * (1.0 - 0.45 * broken);
   const double sheet = 0.35 * bell(toBlade, 0.02) * bell(r, 0.7 * Blade) * bell(behind, 0.8);
   const double hub = 0.8 * bell(r, 0.028 + 0.016 * behind) * bell(behind, 1.6);
   const double rough = turbulence(position * 8.0, octavesFor(1.0 / 8.0, width), 53);
@@ -68,9 +69,9 @@ StandIn makeWind(std::uint64_t leafCells)
       { 0.45, { 0.6, 0.9, 0.4, 0.03 } }, { 0.6, { 1.0, 0.8, 0.2, 0.3 } },
       { 0.8, { 1.0, 0.4, 0.1, 0.8 } }, { 1.0, { 0.9, 0.1, 0.1, 0.95 } } });
   made.opacityUnitDistance = 0.03;
-  made.camera.position = { -0.9, 1.35, 2.9 };
-  made.camera.focalPoint = { 1.25, 0.4, 0.3 };
-  made.camera.viewAngle = 30.0;
+  made.camera.position = { 0.1, 1.05, 2.15 };
+  made.camera.focalPoint = { 1.2, 0.46, 0.26 };
+  made.camera.viewAngle = 34.0;
   return made;
 }
 }
