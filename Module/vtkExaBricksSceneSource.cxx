@@ -15,9 +15,10 @@
 #include "vtkVersionMacros.h"
 #include "vtkVolumeProperty.h"
 
-#include "vtksys/SystemTools.hxx"
-
+#include <algorithm>
+#include <cctype>
 #include <new>
+#include <string>
 
 vtkStandardNewMacro(vtkExaBricksSceneSource);
 
@@ -27,6 +28,16 @@ using exabricks::StandInKind;
 static_assert(vtkExaBricksSceneSource::EXAJET_WING + 1 == exabricks::StandInKinds &&
     vtkExaBricksSceneSource::GEAR == static_cast<int>(StandInKind::Gear),
   "scenes have the numbers of the stand-ins");
+
+namespace
+{
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+}
 
 struct vtkExaBricksSceneSource::vtkInternals
 {
@@ -44,12 +55,12 @@ vtkExaBricksSceneSource::~vtkExaBricksSceneSource() = default;
 
 void vtkExaBricksSceneSource::SetSceneName(const char* name)
 {
-  const std::string wanted = vtksys::SystemTools::LowerCase(name ? name : "");
+  const std::string wanted = lowerCase(name ? name : "");
   std::string names;
   for (int scene = 0; scene < exabricks::StandInKinds; ++scene)
   {
     const char* known = exabricks::describe(static_cast<StandInKind>(scene)).name;
-    if (vtksys::SystemTools::LowerCase(known) == wanted)
+    if (lowerCase(known) == wanted)
     {
       this->SetScene(scene);
       return;

@@ -32,7 +32,8 @@ double windValue(const glm::dvec3& position, double width)
   const double toBlade = (turns * 3.0 - std::round(turns * 3.0)) / 3.0 * Pitch;
   const double tips =
     bell(std::hypot(edge, toBlade), 0.024 + 0.01 * behind) * (1.0 - 0.45 * broken);
-  const double sheet = 0.35 * bell(toBlade, 0.02) * bell(r, 0.7 * Blade) * bell(behind, 0.8);
+  const double sheet = 0.35 * bell(toBlade, 0.02) * smoothStep(0.03, 0.07, r) *
+    bell(r, 0.7 * Blade) * bell(behind, 0.8);
   const double hub = 0.8 * bell(r, 0.028 + 0.016 * behind) * bell(behind, 1.6);
   const double rough = turbulence(position * 8.0, octavesFor(1.0 / 8.0, width), 53);
   const double worms = threads(position, 14.0, 0.16, 54);
@@ -61,7 +62,7 @@ StandIn makeWind(std::uint64_t leafCells)
   recipe.grain = 1.5;
   recipe.seed = 3;
   StandIn made =
-    standInOf(StandInKind::Wind, refineBlocks(recipe, 25, { 0.3, 0.3 }, 0.4, leafCells), windValue);
+    standInOf(StandInKind::Wind, refineBlocks(recipe, 25, { 0.3, 0.3 }, 0.7, leafCells), windValue);
   made.transfer =
     TransferFunction({ { 0.0, { 0.1, 0.1, 0.3, 0.0 } }, { 0.12, { 0.1, 0.2, 0.6, 0.0 } },
       { 0.16, { 0.1, 0.4, 0.8, 0.03 } }, { 0.22, { 0.1, 0.6, 0.8, 0.0 } },
