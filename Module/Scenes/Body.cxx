@@ -50,7 +50,7 @@ double distanceTo(const Wing& wing, const glm::dvec3& p)
   const double length = glm::length(frame.span);
   const double along = glm::dot(p - wing.root, frame.span) / length;
   const double share = std::clamp(along / length, 0.0, 1.0);
-  const glm::dvec3 q = p - mix(0.0, 1.0, share) * (wing.tip - wing.root) - wing.root;
+  const glm::dvec3 q = p - wing.root - share * (wing.tip - wing.root);
   const double chord = mix(wing.rootChord, wing.tipChord, share);
   const double ahead = std::max(std::abs(q.x) - chord, 0.0);
   const double above =
@@ -58,7 +58,7 @@ double distanceTo(const Wing& wing, const glm::dvec3& p)
   return glm::length(glm::dvec3(ahead, above, along - share * length));
 }
 
-// Joins the points of two closed rings, the first of which begin at these numbers.
+// A band between two rings of points; `lower` and `upper` are their first points.
 void joinRings(TriangleMesh& mesh, int lower, int upper, int points)
 {
   for (int i = 0; i < points; ++i)
@@ -123,7 +123,7 @@ void addWing(const Wing& wing, TriangleMesh& mesh)
   constexpr int points = 16;
   for (const double share : { 0.0, 1.0 })
   {
-    const glm::dvec3 center = mix(1.0, 0.0, share) * wing.root + share * wing.tip;
+    const glm::dvec3 center = wing.root + share * (wing.tip - wing.root);
     const double chord = mix(wing.rootChord, wing.tipChord, share);
     for (int i = 0; i < points; ++i)
     {

@@ -36,7 +36,7 @@ struct StandInDescription
 {
   const char* name;          // "Impact-5K"
   double cellsPerBrick;      // of the original: scalars against bricks, in the paper's table
-  std::vector<double> share; // [level], of the leaf cells: the stand-in's own
+  std::vector<double> share; // [level], of the leaf cells: the stand-in's own, to 0.07
   /// With fewer leaf cells there are too few blocks to tell the levels apart: more are made.
   std::uint64_t leastLeafCells;
   bool hasMesh;
