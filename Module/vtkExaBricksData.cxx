@@ -115,8 +115,7 @@ unsigned long vtkExaBricksData::GetActualMemorySize()
     const Contents& contents = *this->Shared;
     size += static_cast<unsigned long>(
       (contents.Structure->bytes() + contents.Scalars.values.capacity() * sizeof(float) +
-        contents.Scalars.brickHasAbsentCells.capacity() +
-        contents.Ranges.capacity() * sizeof(exabricks::ValueRange)) /
+        contents.Scalars.brickHasAbsentCells.capacity() + contents.Ranges.bytes()) /
       1024);
   }
   return size;
@@ -297,8 +296,8 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
     }
     level->SetValue(i, finest);
     count->SetValue(i, static_cast<int>(region.brickCount));
-    setRange(range, i, contents.Ranges[i], contents.Scalars.range);
-    active->SetValue(i, region.brickCount > 0 && transfer.visible(contents.Ranges[i]));
+    setRange(range, i, contents.Ranges.regions[i], contents.Scalars.range);
+    active->SetValue(i, region.brickCount > 0 && transfer.visible(contents.Ranges.regions[i]));
   }
   writer.Finish();
   output->GetCellData()->AddArray(level);

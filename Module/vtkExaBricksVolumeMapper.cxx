@@ -54,7 +54,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   struct CompletedLevels
   {
     exabricks::Completion Completion;
-    std::vector<exabricks::ValueRange> Ranges;
+    exabricks::ValueRanges Ranges;
   };
   std::unique_ptr<const CompletedLevels> Completed;
 

@@ -8,11 +8,11 @@
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameBuffer { Frame frame; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bricks { Brick items[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Regions { Region items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ActiveBoxes { ActiveBox items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices { uint items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdNodes { KdNode items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Values { float items[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferBins { TransferBin items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TransferBins { uint64_t words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 

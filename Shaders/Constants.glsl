@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frame's constants, read once: in the loops each use would be a load.
 Bricks bricks;
-Regions regions;
 Indices brickLists;
 TransferBins transferBins;
 TransferKnots transferKnots;
@@ -14,7 +13,6 @@ float terminationOpacity;
 void readConstants(FrameBuffer f)
 {
   bricks = Bricks(f.frame.bricks);
-  regions = Regions(f.frame.regions);
   brickLists = Indices(f.frame.brickLists);
   transferBins = TransferBins(f.frame.transferBins);
   transferKnots = TransferKnots(f.frame.transferKnots);

@@ -4,9 +4,8 @@
 // What a lane knows of the region it is in, and what it has gathered.
 struct March
 {
-  Brick brick;      // the first of the region's: most regions have one alone
-  uint otherBricks; // place of the rest in the lists
-  uint otherCount;
+  Brick brick; // the first of the region's: most regions have one alone
+  uint list;   // place of the rest in the lists; 0: there are none
   float entry;    // distance at which the next interval begins
   float exit;     // distance at which the ray leaves the region
   uint intervals; // number still to do; where they end at faces of cells: 0, or 1 for some
@@ -20,30 +19,21 @@ struct March
   TransferPoint last; // it
 };
 
-void enterRegion(uint r, float entry, float exit, inout March march)
+// `step`: as in ActiveBox.
+void enterRegion(uint firstBrick, float step, float entry, float exit, inout March march)
 {
-  const Region region = regions.items[r];
-  march.brick = bricks.items[brickLists.items[region.firstBrick]];
-  march.otherBricks = region.firstBrick + 1;
-  march.otherCount = region.brickCount - 1;
+  march.list = firstBrick;
+  march.brick = nextBrick(march.list);
   march.intervals = 1;
   if (!nearest)
   {
     // Samples at most stepScale cells of the finest brick apart, two to an interval, unless one
     // alone does for the region.
-    int width = march.brick.width;
-    uint flags = march.brick.dimensions;
-    for (uint k = 0; k < march.otherCount; ++k)
-    {
-      const Brick brick = bricks.items[brickLists.items[march.otherBricks + k]];
-      width = min(width, brick.width);
-      flags |= brick.dimensions;
-    }
-    march.cut = (flags & BRICK_HAS_ABSENT_CELLS) != 0u;
-    const float step = 2.0 * stepScale * float(width);
-    const float count = max(ceil(0.5 * (exit - entry) / step), 1.0);
-    march.halved = march.cut || exit - entry > step;
-    march.interval = march.cut ? 2.0 * step : (exit - entry) / count;
+    march.cut = step < 0.0;
+    const float interval = 2.0 * stepScale * abs(step);
+    const float count = max(ceil((exit - entry) / interval), 1.0);
+    march.halved = march.cut || exit - entry > 0.5 * interval;
+    march.interval = march.cut ? interval : (exit - entry) / count;
     march.intervals = march.cut ? 1 : uint(count);
     // The field is continuous: the last point of the region before is the first of this one.
     march.known = march.known && march.exit == entry;
@@ -56,8 +46,7 @@ void enterRegion(uint r, float entry, float exit, inout March march)
 bool findCell(Ray ray, March march, out float end, out float value)
 {
   end = march.exit;
-  return sampleNearest(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
-    march.entry, end, value);
+  return sampleNearest(march.brick, march.list, ray, march.entry, end, value);
 }
 
 // Nearest: the value does not change up to the next face of a cell.
@@ -107,7 +96,7 @@ void marchInterval(Ray ray, inout March march)
     for (int k = 1; k <= count; ++k)
     {
       middle = value;
-      value = sampleBasis(bricks, brickLists, march.brick, march.otherBricks, march.otherCount, ray,
+      value = sampleBasis(march.brick, march.list, ray,
         first ? march.entry : k == count ? end : march.entry + 0.5 * length);
     }
     // The middle that gives the halves together the mean of the parabola through all three (Simpson's

@@ -50,8 +50,22 @@ struct Region
   uint brickCount; // 0: no data here
 };
 
-// A node of the k-d tree over the regions. 8 bytes. link = 4 * index + axis for a split (the index
-// is that of the lower child; the upper one follows it), 4 * region + KD_LEAF for a leaf.
+// A region, or a part of one, in which the transfer function shows something. 32 bytes.
+struct ActiveBox
+{
+  ivec3 lo;        // half cells
+  uint firstBrick; // as the region's
+  ivec3 hi;
+  float step; // width of the finest cell, half cells; below 0: some cells are absent
+};
+
+// On the device the last brick of a list is marked.
+EXABRICKS_CONST uint LAST_BRICK = 1u << 31;
+
+// A node of a k-d tree. 8 bytes. link = 4 * index + axis for a split: the index is that of the
+// lower child, the upper one follows it. A leaf of the tree over the regions: 4 * region + KD_LEAF.
+// One of the tree over the active boxes: 4 * firstBrick + KD_LEAF, and `plane` holds the bits of
+// `step`.
 struct KdNode
 {
   int plane; // half cells
@@ -77,7 +91,9 @@ struct TransferBin
   vec4 upper;
   ivec4 integral;
   int opaque;
+  int unused; // shaders read it as TRANSFER_BIN_WORDS words of 64 bits: half the loads
 };
+EXABRICKS_CONST uint TRANSFER_BIN_WORDS = 7u;
 struct TransferKnot
 {
   vec4 lower; // at its value, and at that of the next knot: they differ at jumps
@@ -100,11 +116,10 @@ struct Frame
   float terminationOpacity; // a ray ends at this opacity
   float integralUnit;       // of the transfer function's integrals
   uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
-  uint64_t bricks;          // device addresses of Brick[], Region[], uint[], KdNode[], ...
-  uint64_t regions;
+  uint64_t bricks;          // device addresses of Brick[], uint[], KdNode[], ...
   uint64_t brickLists;
   uint64_t nodes;
-  uint64_t activeRegions; // uint[]: region of each box of the acceleration structure
+  uint64_t activeBoxes; // ActiveBox[]: of the acceleration structure
   uint64_t transferBins;
   uint64_t transferKnots;
   uint64_t depth;   // float[height][width], window depth in [0, 1]
@@ -122,10 +137,11 @@ struct Band
 #ifdef __cplusplus
 static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
+static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
-static_assert(sizeof(TransferBin) == 52, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 376, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 368, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The field at a point from a list of bricks (Wald et al. 2020, section 3).
 
+// The brick at a place in the lists. The place comes back as that of the next one of the list, or as 0
+// after the last one, which no list goes on from.
+Brick nextBrick(inout uint place)
+{
+  const uint entry = brickLists.items[place];
+  place = (entry & LAST_BRICK) == 0u ? place + 1u : 0u;
+  return bricks.items[entry & ~LAST_BRICK];
+}
+
+// Whole numbers in [0, 2^23), without the conversion that saturates: slow on processors.
+uint toIndex(float whole) { return floatBitsToUint(whole + 8388608.0) & 0x7fffffu; }
+uvec3 toIndex(vec3 whole) { return floatBitsToUint(whole + 8388608.0) & 0x7fffffu; }
+
 uvec3 cellsOf(Brick brick)
 {
   return uvec3(brick.dimensions, brick.dimensions >> 8, brick.dimensions >> 16) & 0xffu;
@@ -54,8 +67,9 @@ void addTents(Brick brick, vec3 q, inout float sum, inout float weight)
   {
     return;
   }
-  const uvec3 i = min(uvec3(c), uvec3(max(ivec3(n) - 2, 0)));
-  const vec3 f = c - vec3(i);
+  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
+  const uvec3 i = toIndex(corner);
+  const vec3 f = c - corner;
   const uint dx = n.x > 1u ? 1u : 0u;
   const uint dy = n.y > 1u ? n.x : 0u;
   const uint dz = n.z > 1u ? n.x * n.y : 0u;
@@ -124,12 +138,11 @@ void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
 }
 
 // The point has to lie in a cell that is there: then its own tent alone weighs 1/8 at least.
-float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
-  float distance)
+float sampleBasis(Brick brick, uint others, Ray ray, float distance)
 {
   float sum = 0.0;
   float weight = 0.0;
-  for (uint k = 0;; ++k)
+  while (true)
   {
     const vec3 q = toCells(brick, ray, distance);
     if (completed)
@@ -140,11 +153,11 @@ float sampleBasis(Bricks bricks, Indices list, Brick brick, uint others, uint co
     {
       addTents(brick, q, sum, weight);
     }
-    if (k >= count)
+    if (others == 0u)
     {
       break;
     }
-    brick = bricks.items[list.items[others + k]];
+    brick = nextBrick(others);
   }
   return clamp(sum / weight, 0.0, 1.0); // which rounding may pass
 }
@@ -160,14 +173,14 @@ float behindFace(float distance)
 // the region and goes as the end of the cell, if that is nearer. The field is constant in between,
 // so the integral is exact. The region lies in leaf cells, so one of its bricks holds the point; by
 // rounding it may miss them all by a hair, so take the closest. False: the cell is absent.
-bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint count, Ray ray,
-  float distance, inout float end, out float value)
+bool sampleNearest(
+  Brick brick, uint others, Ray ray, float distance, inout float end, out float value)
 {
   const float inside = min(behindFace(distance), end);
   float closest = 1e30;
   Brick holder = brick;
   uvec3 cell = uvec3(0);
-  for (uint k = 0;; ++k)
+  while (true)
   {
     const uvec3 n = cellsOf(brick);
     const vec3 q = toCells(brick, ray, inside);
@@ -178,13 +191,13 @@ bool sampleNearest(Bricks bricks, Indices list, Brick brick, uint others, uint c
     {
       closest = miss;
       holder = brick;
-      cell = uvec3(clamp(q, vec3(0.0), vec3(n) - 0.5));
+      cell = toIndex(floor(clamp(q, vec3(0.0), vec3(n) - 0.5)));
     }
-    if (k >= count || closest == 0.0)
+    if (others == 0u || closest == 0.0)
     {
       break;
     }
-    brick = bricks.items[list.items[others + k]];
+    brick = nextBrick(others);
   }
   value = valueAt(holder, cellsOf(holder), cell);
   const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));

@@ -14,14 +14,29 @@ struct TransferPart
   int opaque;
 };
 
+vec2 unpack(uint64_t word) { return uintBitsToFloat(unpackUint2x32(word)); }
+
+TransferBin readBin(TransferBins bins, uint i)
+{
+  const uint at = TRANSFER_BIN_WORDS * i;
+  TransferBin bin;
+  bin.lower = vec4(unpack(bins.words[at]), unpack(bins.words[at + 1u]));
+  bin.upper = vec4(unpack(bins.words[at + 2u]), unpack(bins.words[at + 3u]));
+  bin.integral =
+    ivec4(unpackUint2x32(bins.words[at + 4u]), unpackUint2x32(bins.words[at + 5u]));
+  bin.opaque = int(bins.words[at + 6u]);
+  return bin;
+}
+
 TransferPart findPart(TransferBins bins, TransferKnots knots, float value)
 {
   const float x = clamp(value, 0.0, 1.0) * float(TRANSFER_BINS);
-  const int i = clamp(int(x), 0, TRANSFER_BINS - 1);
-  const TransferBin bin = bins.items[i];
+  const float whole = min(floor(x), float(TRANSFER_BINS - 1));
+  const uint i = min(toIndex(whole), uint(TRANSFER_BINS - 1)); // a NaN too is some bin's
+  const TransferBin bin = readBin(bins, i);
   if (bin.lower.a >= 0.0)
   {
-    return TransferPart(i, x - float(i), 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,
+    return TransferPart(int(i), x - whole, 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,
       bin.integral, bin.opaque);
   }
   int k = bin.integral.x;
@@ -50,7 +65,8 @@ struct TransferPoint
   float value;
   int number;
   float share;
-  ivec4 integral; // from 0 to the value
+  ivec4 integral; // from 0 to the lower end of the part
+  vec4 inside;    // from there to the value, in the same units
   int opaque;
 };
 
@@ -58,7 +74,7 @@ TransferPoint makePoint(TransferPart part, float value, float inverseIntegralUni
 {
   const vec4 inside = mix(part.lower, part.upper, 0.5 * part.share);
   return TransferPoint(value, part.number, part.share,
-    part.integral + ivec4(inside * (part.share * part.width * inverseIntegralUnit)), part.opaque);
+    part.integral, inside * (part.share * part.width * inverseIntegralUnit), part.opaque);
 }
 
 // Colour, times opacity, and opacity of a length of the ray in unit distances. What is opaque is so
@@ -77,14 +93,15 @@ vec4 absorb(vec4 extinction, float units)
 vec4 meanBetween(TransferPoint from, TransferPoint to, TransferPart part, float integralUnit)
 {
   const float way = to.value - from.value;
-  const ivec4 between = to.integral - from.integral;
+  const vec4 between = vec4(to.integral - from.integral) + (to.inside - from.inside);
   // Quotients of small differences have few digits: then the function is as good as constant.
-  if (from.number == to.number || (abs(way) < 1e-5 && abs(between.a) < 1000))
+  if (from.number == to.number || (abs(way) < 1e-5 && abs(between.a) < 1000.0))
   {
     return mix(part.lower, part.upper,
       from.number == to.number ? 0.5 * (from.share + to.share) : to.share);
   }
-  return max(vec4(between) * (integralUnit / way), vec4(0.0));
+  const vec4 mean = max(between * (integralUnit / way), vec4(0.0));
+  return vec4(min(mean.rgb, mean.a), mean.a); // no colour is above 1, but for rounding
 }
 
 // An interval that becomes opaque on its way, at any length: what is before that place, and the

@@ -9,8 +9,8 @@ struct Pending
   vec4 limits;
 };
 
-// The region that holds the ray just behind `distance`, and where the ray leaves it.
-uint locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out float exit)
+// The leaf that holds the ray just behind `distance`, and where the ray leaves it.
+KdNode locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out float exit)
 {
   uint index = pending.nodes.x;
   exit = index == 0 ? ray.end : pending.limits.x;
@@ -35,7 +35,7 @@ uint locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out f
     }
     node = nodes.items[ahead ? first : last];
   }
-  return node.link >> 2;
+  return node;
 }
 
 // One flat loop: every lane takes an interval each time round, and walks the tree only when its
@@ -62,10 +62,10 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
         pending.nodes = uvec4(0);
       }
       const float entry = exit;
-      const uint region = locate(nodes, ray, entry, pending, exit);
-      if (region != KD_NO_REGION)
+      const KdNode leaf = locate(nodes, ray, entry, pending, exit);
+      if (leaf.link >> 2 != KD_NO_REGION)
       {
-        enterRegion(region, entry, exit, march);
+        enterRegion(leaf.link >> 2, intBitsToFloat(leaf.plane), entry, exit, march);
       }
     }
     if (march.intervals == 0)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The active regions along a ray, by an acceleration structure of their boxes.
 
-// Where the ray enters and leaves a region, between `distance` and its end.
-vec2 crossing(Ray ray, uint r, float distance)
+// Where the ray enters and leaves a box, between `distance` and its end.
+vec2 crossing(Ray ray, ActiveBox box, float distance)
 {
-  const Region region = regions.items[r];
-  const vec3 a = (vec3(region.lo - ray.base) - ray.fraction) * ray.inverse;
-  const vec3 b = (vec3(region.hi - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 a = (vec3(box.lo - ray.base) - ray.fraction) * ray.inverse;
+  const vec3 b = (vec3(box.hi - ray.base) - ray.fraction) * ray.inverse;
   const vec3 entries = min(a, b);
   const vec3 exits = max(a, b);
   return vec2(max(distance, max(entries.x, max(entries.y, entries.z))),
@@ -19,7 +18,7 @@ const int NEAREST = 8;
 // on some drivers a later start prunes nothing.
 void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
 {
-  Indices activeRegions = Indices(f.frame.activeRegions);
+  ActiveBoxes boxes = ActiveBoxes(f.frame.activeBoxes);
   double skip = 0.0LF;
   float distance = ray.begin;
   while (distance < ray.end)
@@ -47,8 +46,8 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       ray.end - distance);
     while (rayQueryProceedEXT(query))
     {
-      uint r = activeRegions.items[rayQueryGetIntersectionPrimitiveIndexEXT(query, false)];
-      const vec2 cross = crossing(ray, r, distance);
+      uint r = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
+      const vec2 cross = crossing(ray, boxes.items[r], distance);
       float t = cross.x;
       if (cross.x < cross.y && t < entry[NEAREST - 1])
       {
@@ -79,14 +78,15 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       {
         break;
       }
-      const vec2 cross = crossing(ray, region[k], distance);
+      const ActiveBox box = boxes.items[region[k]];
+      const vec2 cross = crossing(ray, box, distance);
       if (cross.x > REBASE_DISTANCE)
       {
         distance = cross.x;
         rebase = true;
         break;
       }
-      enterRegion(region[k], cross.x, cross.y, march);
+      enterRegion(box.firstBrick, box.step, cross.x, cross.y, march);
       while (march.intervals > 0)
       {
         marchOn(ray, march);

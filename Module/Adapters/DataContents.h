@@ -3,8 +3,8 @@
 #ifndef ExaBricksAdaptersDataContents_h
 #define ExaBricksAdaptersDataContents_h
 
-#include "Core/Scalars.h"
 #include "Core/Structure.h"
+#include "Core/ValueRanges.h"
 #include "vtkExaBricksData.h"
 
 struct vtkExaBricksData::Contents
@@ -14,7 +14,7 @@ struct vtkExaBricksData::Contents
   glm::dvec3 Spacing{ 1.0 }; // world size of a finest cell
   std::vector<int> AMRLevel; // of each level of the hierarchy, which leaves out empty ones
   exabricks::Scalars Scalars;
-  std::vector<exabricks::ValueRange> Ranges; // of the regions
+  exabricks::ValueRanges Ranges;
   std::string ArrayName;
   int Components = 1;         // of the array
   double StructureTime = 0.0; // s

@@ -1,81 +1,185 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ActiveRegions.h"
 
+#include <cstring>
+
 namespace exabricks
 {
 namespace
 {
-class Pruner
+constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF };
+
+int longestAxis(const glm::ivec3& size)
+{
+  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+class Selection
 {
 public:
-  Pruner(const RegionTree& tree, const std::vector<unsigned char>& active)
-    : Tree(tree)
-    , Active(active)
+  Selection(const Volume& volume, const TransferFunction& transfer)
+    : Tree(*volume.tree)
+    , Subject(volume)
+    , Transfer(transfer)
   {
-    this->Nodes.resize(1);
-    const layout::KdNode root = this->Prune(0);
-    this->Nodes[0] = root;
+    if (!this->Tree.nodes.empty())
+    {
+      this->Result.nodes.resize(1);
+      const layout::KdNode root = this->Select(0);
+      this->Result.nodes[0] = root;
+    }
   }
 
-  std::vector<layout::KdNode> take() { return std::move(this->Nodes); }
+  ActiveRegions take() { return std::move(this->Result); }
 
 private:
-  static constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF };
+  // Room for two children side by side, what `lower` and `upper` make of them, and the node above
+  // them: nothing, if both are.
+  template <typename Lower, typename Upper>
+  layout::KdNode Join(int axis, int plane, const Lower& lower, const Upper& upper)
+  {
+    std::vector<layout::KdNode>& nodes = this->Result.nodes;
+    const std::size_t place = nodes.size();
+    nodes.resize(place + 2);
+    const layout::KdNode first = lower();
+    const layout::KdNode second = upper();
+    if (first.link == Nothing.link && second.link == Nothing.link)
+    {
+      nodes.resize(place);
+      return Nothing;
+    }
+    nodes[place] = first;
+    nodes[place + 1] = second;
+    return { plane, static_cast<std::uint32_t>(4 * place + axis) };
+  }
 
-  // The node's pruned copy; its children are appended, adjacent, unless both are empty.
-  layout::KdNode Prune(std::size_t n)
+  layout::KdNode Select(std::size_t n)
   {
     const layout::KdNode& node = this->Tree.nodes[n];
     const std::uint32_t index = node.link >> 2;
-    if ((node.link & 3) == layout::KD_LEAF)
+    if ((node.link & 3) != layout::KD_LEAF)
     {
-      return this->Active[index] ? node : Nothing;
+      return this->Join(
+        node.link & 3, node.plane, [&] { return this->Select(index); },
+        [&] { return this->Select(index + 1); });
     }
-    const std::size_t place = this->Nodes.size();
-    this->Nodes.resize(place + 2);
-    const layout::KdNode lower = this->Prune(index);
-    const layout::KdNode upper = this->Prune(index + 1);
-    if (lower.link == Nothing.link && upper.link == Nothing.link)
+    const layout::Region& region = this->Tree.regions[index];
+    const std::vector<MacrocellGrid>& grids = this->Subject.ranges->grids;
+    // Leaves come in the order of regions, as grids do.
+    while (this->NextGrid < grids.size() && grids[this->NextGrid].region < index)
     {
-      this->Nodes.resize(place);
+      ++this->NextGrid;
+    }
+    if (region.brickCount == 0 || !this->Transfer.visible(this->Subject.ranges->regions[index]))
+    {
       return Nothing;
     }
-    this->Nodes[place] = lower;
-    this->Nodes[place + 1] = upper;
-    return { node.plane, static_cast<std::uint32_t>(4 * place) + (node.link & 3) };
+    ++this->Result.regions;
+    if (this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
+    {
+      return this->Show(region, region.lo, region.hi);
+    }
+    const MacrocellGrid& grid = grids[this->NextGrid];
+    return this->Cut(region, grid, glm::ivec3(0), grid.count(region));
+  }
+
+  // Some of the macrocells of a region, from `begin` up to `end`: what shows nothing is cut off,
+  // side by side, and where that does not do, they are halved.
+  layout::KdNode Cut(const layout::Region& region, const MacrocellGrid& grid,
+    const glm::ivec3& begin, const glm::ivec3& end)
+  {
+    const glm::ivec3 n = grid.count(region);
+    glm::ivec3 first = end;
+    glm::ivec3 last = begin;
+    bool all = true;
+    for (int z = begin.z; z < end.z; ++z)
+    {
+      for (int y = begin.y; y < end.y; ++y)
+      {
+        for (int x = begin.x; x < end.x; ++x)
+        {
+          const bool shown = this->Transfer.visible(
+            this->Subject.ranges
+              ->macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)]);
+          if (shown)
+          {
+            first = glm::min(first, glm::ivec3(x, y, z));
+            last = glm::max(last, glm::ivec3(x, y, z) + 1);
+          }
+          all = all && shown;
+        }
+      }
+    }
+    if (first.x >= last.x)
+    {
+      return Nothing;
+    }
+    if (all)
+    {
+      return this->Show(
+        region, region.lo + begin * grid.side, glm::min(region.lo + end * grid.side, region.hi));
+    }
+    const auto join = [&](int axis, int middle, bool lower, bool upper)
+    {
+      glm::ivec3 lowerEnd = end;
+      glm::ivec3 upperBegin = begin;
+      lowerEnd[axis] = upperBegin[axis] = middle;
+      return this->Join(
+        axis, region.lo[axis] + middle * grid.side,
+        [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Nothing; },
+        [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Nothing; });
+    };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (begin[axis] < first[axis])
+      {
+        return join(axis, first[axis], false, true);
+      }
+      if (last[axis] < end[axis])
+      {
+        return join(axis, last[axis], true, false);
+      }
+    }
+    const int axis = longestAxis(end - begin);
+    return join(axis, (begin[axis] + end[axis]) / 2, true, true);
+  }
+
+  layout::KdNode Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi)
+  {
+    std::int64_t width = std::numeric_limits<std::int64_t>::max();
+    bool absent = false;
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      const std::uint32_t brick = this->Tree.brickLists[region.firstBrick + k];
+      width = std::min(width, (*this->Subject.cellWidth)[(*this->Subject.bricks)[brick].level]);
+      absent = absent || this->Subject.scalars->brickHasAbsentCells[brick];
+    }
+    const float cell = 2.0f * static_cast<float>(width);
+    const float step = absent ? -cell : cell;
+    layout::KdNode leaf{ 0, 4 * region.firstBrick + layout::KD_LEAF };
+    std::memcpy(&leaf.plane, &step, sizeof step);
+    this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
+    return leaf;
   }
 
   const RegionTree& Tree;
-  const std::vector<unsigned char>& Active;
-  std::vector<layout::KdNode> Nodes;
+  const Volume& Subject;
+  const TransferFunction& Transfer;
+  ActiveRegions Result;
+  std::size_t NextGrid = 0;
 };
 }
 
-ActiveRegions selectActiveRegions(
-  const RegionTree& tree, const std::vector<ValueRange>& ranges, const TransferFunction& transfer)
+ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer)
 {
-  ActiveRegions result;
-  std::vector<unsigned char> active(tree.regions.size());
-  for (std::size_t r = 0; r < active.size(); ++r)
-  {
-    active[r] = tree.regions[r].brickCount > 0 && transfer.visible(ranges[r]);
-    if (active[r])
-    {
-      result.regions.push_back(static_cast<std::uint32_t>(r));
-    }
-  }
-  if (!tree.nodes.empty())
-  {
-    result.nodes = Pruner(tree, active).take();
-  }
-  return result;
+  return Selection(volume, transfer).take();
 }
 
-void sortByMedianSplits(const RegionTree& tree, std::vector<std::uint32_t>& regions)
+void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)
 {
-  const auto center = [&](std::uint32_t r, int axis)
-  { return std::int64_t(tree.regions[r].lo[axis]) + tree.regions[r].hi[axis]; };
-  std::vector<std::pair<std::size_t, std::size_t>> ranges{ { 0, regions.size() } };
+  const auto center = [](const layout::ActiveBox& box, int axis)
+  { return std::int64_t(box.lo[axis]) + box.hi[axis]; };
+  std::vector<std::pair<std::size_t, std::size_t>> ranges{ { 0, boxes.size() } };
   while (!ranges.empty())
   {
     const auto range = ranges.back();
@@ -90,16 +194,17 @@ void sortByMedianSplits(const RegionTree& tree, std::vector<std::uint32_t>& regi
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        lo[axis] = std::min(lo[axis], center(regions[i], axis));
-        hi[axis] = std::max(hi[axis], center(regions[i], axis));
+        lo[axis] = std::min(lo[axis], center(boxes[i], axis));
+        hi[axis] = std::max(hi[axis], center(boxes[i], axis));
       }
     }
     const Int3 size = hi - lo;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t middle = range.first + (range.second - range.first) / 2;
-    std::nth_element(regions.begin() + range.first, regions.begin() + middle,
-      regions.begin() + range.second,
-      [&](std::uint32_t a, std::uint32_t b) { return center(a, axis) < center(b, axis); });
+    std::nth_element(boxes.begin() + range.first, boxes.begin() + middle,
+      boxes.begin() + range.second,
+      [&](const layout::ActiveBox& a, const layout::ActiveBox& b)
+      { return center(a, axis) < center(b, axis); });
     ranges.emplace_back(range.first, middle);
     ranges.emplace_back(middle, range.second);
   }

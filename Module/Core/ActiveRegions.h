@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Space skipping: the regions in which the transfer function shows anything, and what the two
-// traversals walk.
+// Space skipping: the parts of regions in which the transfer function shows anything, and what the
+// two traversals walk.
 #ifndef ExaBricksCoreActiveRegions_h
 #define ExaBricksCoreActiveRegions_h
 
 #include "Core/TransferFunction.h"
+#include "Core/Volume.h"
 
 namespace exabricks
 {
+/// A region is active as a whole, or cut between macrocells where it shows nothing in some.
 struct ActiveRegions
 {
-  std::vector<std::uint32_t> regions; // in the order of the tree's leaves
-  /// The regions' k-d tree without the parts where nothing is active.
+  std::size_t regions = 0;              // with values that show
+  std::vector<layout::ActiveBox> boxes; // they and their parts, in the order of the tree's leaves
+  /// The regions' k-d tree down to these boxes, without the parts where nothing is active.
   std::vector<layout::KdNode> nodes;
 };
 
-ActiveRegions selectActiveRegions(
-  const RegionTree& tree, const std::vector<ValueRange>& ranges, const TransferFunction& transfer);
+ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer);
 
-/// Orders `regions` by recursive median splits along the longest axis of their centres. Builders
-/// that halve the array of boxes as given (Mesa's) make a good hierarchy of it.
-void sortByMedianSplits(const RegionTree& tree, std::vector<std::uint32_t>& regions);
+/// Orders `boxes` by recursive median splits along the longest axis of their centres. Builders that
+/// halve the array of boxes as given (Mesa's) make a good hierarchy of it.
+void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes);
 }
 
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of the leaf cells in brick order, normalised to their range, and the range of values
-// that the reconstruction can take in each region.
+// The values of the leaf cells in brick order, normalised to their range.
 #ifndef ExaBricksCoreScalars_h
 #define ExaBricksCoreScalars_h
 
@@ -70,18 +69,6 @@ struct Scalars
 /// values if `progress` aborts.
 Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bricks,
   const CellSource& source, const Progress& progress = {});
-
-/// Least and greatest normalised value; empty: min > max.
-struct ValueRange
-{
-  float min = std::numeric_limits<float>::infinity();
-  float max = -std::numeric_limits<float>::infinity();
-};
-
-/// Per region: over the cells whose tent reaches into it. The reconstruction is a weighted mean of
-/// them, so it leaves the range by no more than its own rounding.
-std::vector<ValueRange> findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars);
 }
 
 #endif

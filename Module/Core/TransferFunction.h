@@ -3,7 +3,7 @@
 #ifndef ExaBricksCoreTransferFunction_h
 #define ExaBricksCoreTransferFunction_h
 
-#include "Core/Scalars.h"
+#include "Core/ValueRanges.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>

@@ -223,7 +223,7 @@ TransferTable::TransferTable(const TransferFunction& transfer)
     }
     const std::vector<Line> lines = pieces.linesBetween(lo, hi, piece);
     const layout::TransferKnot& first = lines.front().knot;
-    layout::TransferBin bin{ first.lower, first.upper, glm::ivec4(0), first.opaque };
+    layout::TransferBin bin{ first.lower, first.upper, glm::ivec4(0), first.opaque, 0 };
     toBins.push_back(integral);
     layout::TransferKnot end = pieces.line(pieces.last(), pieces.part(pieces.last())).knot;
     const bool isLast = i + 1 == layout::TRANSFER_BINS;

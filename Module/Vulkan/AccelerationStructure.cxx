@@ -12,16 +12,16 @@ namespace
 // The boxes in float32, a little too large: the shader tests the exact box, so the float box, and
 // the query's rounded origin, must only never miss.
 std::vector<vk::AabbPositionsKHR> makeBoxes(
-  const RegionTree& tree, const std::vector<std::uint32_t>& regions)
+  const glm::ivec3& bounds, const std::vector<layout::ActiveBox>& active)
 {
-  const int size = std::max({ tree.size.x, tree.size.y, tree.size.z });
+  const int size = std::max({ bounds.x, bounds.y, bounds.z });
   const float slack = 4.0f * std::numeric_limits<float>::epsilon() * static_cast<float>(size);
   std::vector<vk::AabbPositionsKHR> boxes;
-  boxes.reserve(regions.size());
-  for (const std::uint32_t r : regions)
+  boxes.reserve(active.size());
+  for (const layout::ActiveBox& box : active)
   {
-    const glm::vec3 lo = glm::vec3(tree.regions[r].lo) - slack;
-    const glm::vec3 hi = glm::vec3(tree.regions[r].hi) + slack;
+    const glm::vec3 lo = glm::vec3(box.lo) - slack;
+    const glm::vec3 hi = glm::vec3(box.hi) + slack;
     boxes.emplace_back(lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
   }
   return boxes;
@@ -55,21 +55,21 @@ AccelerationStructure::Part AccelerationStructure::Build(const std::shared_ptr<D
 }
 
 AccelerationStructure::AccelerationStructure(const std::shared_ptr<Device>& device,
-  const RegionTree& tree, const std::vector<std::uint32_t>& regions)
+  const glm::ivec3& bounds, const std::vector<layout::ActiveBox>& active)
 {
-  if (regions.size() > device->maximumBoxes())
+  if (active.size() > device->maximumBoxes())
   {
     throw Failure("expected at most " + std::to_string(device->maximumBoxes()) +
       " active regions for traversal by ray query on " + device->name() + ", found " +
-      std::to_string(regions.size()) + ". Use the k-d tree traversal");
+      std::to_string(active.size()) + ". Use the k-d tree traversal");
   }
   const auto input = vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;
   const Buffer boxes =
-    makeBuffer(device, makeBoxes(tree, regions), "the active regions' boxes", input);
+    makeBuffer(device, makeBoxes(bounds, active), "the active regions' boxes", input);
   vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eAabbs,
     vk::AccelerationStructureGeometryAabbsDataKHR(boxes.address(), sizeof(vk::AabbPositionsKHR)));
   this->Boxes = Build(device, vk::AccelerationStructureTypeKHR::eBottomLevel, geometry,
-    static_cast<std::uint32_t>(regions.size()));
+    static_cast<std::uint32_t>(active.size()));
 
   const vk::DeviceAddress bottom =
     device->handle().getAccelerationStructureAddressKHR({ *this->Boxes.Handle });

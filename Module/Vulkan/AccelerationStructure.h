@@ -3,7 +3,7 @@
 #ifndef ExaBricksVulkanAccelerationStructure_h
 #define ExaBricksVulkanAccelerationStructure_h
 
-#include "Core/Regions.h"
+#include "Layout.h"
 #include "Vulkan/Buffer.h"
 
 namespace exabricks
@@ -14,9 +14,10 @@ class AccelerationStructure
 {
 public:
   AccelerationStructure() = default;
-  /// Of the boxes of `regions`, in that order (on Mesa's CPU driver the order is the tree).
-  AccelerationStructure(const std::shared_ptr<Device>& device, const RegionTree& tree,
-    const std::vector<std::uint32_t>& regions);
+  /// Of `active` in that order (on Mesa's CPU driver the order is the tree). `bounds`: size of the
+  /// data's, half cells.
+  AccelerationStructure(const std::shared_ptr<Device>& device, const glm::ivec3& bounds,
+    const std::vector<layout::ActiveBox>& active);
 
   /// What a shader makes its accelerationStructureEXT of.
   vk::DeviceAddress address() const { return this->Address; }

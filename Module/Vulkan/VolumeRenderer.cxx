@@ -40,13 +40,12 @@ struct VolumeRenderer::Internals
   std::shared_ptr<vulkan::Device> Device;
   std::vector<vulkan::Buffer> Values;
   vulkan::Buffer Bricks;
-  vulkan::Buffer Regions;
   vulkan::Buffer BrickLists;
   vulkan::Buffer Bins;
   vulkan::Buffer Knots;
   float IntegralUnit = 1.0f;
   vulkan::Buffer Nodes;
-  vulkan::Buffer ActiveList;
+  vulkan::Buffer ActiveBoxes;
   vulkan::AccelerationStructure Scene;
   std::unique_ptr<vulkan::MarchPass> Pass;
   bool VolumeReady = false;
@@ -63,7 +62,6 @@ struct VolumeRenderer::Internals
     this->SceneFailed = false;
     this->Values.clear();
     this->Bricks = {};
-    this->Regions = {};
     this->BrickLists = {};
     this->DropActive();
   }
@@ -72,7 +70,7 @@ struct VolumeRenderer::Internals
   {
     this->OpacityReady = false;
     this->Nodes = {};
-    this->ActiveList = {};
+    this->ActiveBoxes = {};
     this->Scene = {};
   }
 
@@ -150,8 +148,15 @@ struct VolumeRenderer::Internals
       }
     }
     this->Bricks = vulkan::makeBuffer(this->Device, records, "the bricks");
-    this->Regions = vulkan::makeBuffer(this->Device, tree.regions, "the regions");
-    this->BrickLists = vulkan::makeBuffer(this->Device, tree.brickLists, "the brick lists");
+    std::vector<std::uint32_t> lists = tree.brickLists;
+    for (const layout::Region& region : tree.regions)
+    {
+      if (region.brickCount > 0)
+      {
+        lists[region.firstBrick + region.brickCount - 1] |= layout::LAST_BRICK;
+      }
+    }
+    this->BrickLists = vulkan::makeBuffer(this->Device, lists, "the brick lists");
     this->VolumeReady = true;
     this->Figures.uploadTime = watch.seconds();
   }
@@ -185,11 +190,11 @@ struct VolumeRenderer::Internals
     this->Figures.colorTime = watch.seconds();
   }
 
-  void BuildScene(std::vector<std::uint32_t> regions)
+  void BuildScene(std::vector<layout::ActiveBox> boxes)
   {
-    sortByMedianSplits(*this->Subject.tree, regions);
-    this->ActiveList = vulkan::makeBuffer(this->Device, regions, "the active regions");
-    this->Scene = vulkan::AccelerationStructure(this->Device, *this->Subject.tree, regions);
+    sortByMedianSplits(boxes);
+    this->ActiveBoxes = vulkan::makeBuffer(this->Device, boxes, "the active regions");
+    this->Scene = vulkan::AccelerationStructure(this->Device, this->Subject.tree->size, boxes);
   }
 
   void UpdateActiveRegions()
@@ -200,14 +205,14 @@ struct VolumeRenderer::Internals
     }
     const Stopwatch watch;
     this->DropActive();
-    const ActiveRegions active =
-      selectActiveRegions(*this->Subject.tree, *this->Subject.ranges, this->Transfer);
-    this->Figures.activeRegions = active.regions.size();
-    if (this->Figures.traversal == Traversal::RayQuery && !active.regions.empty())
+    ActiveRegions active = selectActiveRegions(this->Subject, this->Transfer);
+    this->Figures.activeRegions = active.regions;
+    this->Figures.activeBoxes = active.boxes.size();
+    if (this->Figures.traversal == Traversal::RayQuery && !active.boxes.empty())
     {
       try
       {
-        this->BuildScene(active.regions);
+        this->BuildScene(std::move(active.boxes));
       }
       catch (const vulkan::Failure&)
       {
@@ -238,9 +243,8 @@ struct VolumeRenderer::Internals
       this->UpdateColors();
       this->UpdateActiveRegions();
     }
-    vk::DeviceSize bytes = this->Bricks.bytes() + this->Regions.bytes() + this->BrickLists.bytes() +
-      this->Bins.bytes() + this->Knots.bytes() + this->Nodes.bytes() + this->ActiveList.bytes() +
-      this->Scene.bytes();
+    vk::DeviceSize bytes = this->Bricks.bytes() + this->BrickLists.bytes() + this->Bins.bytes() +
+      this->Knots.bytes() + this->Nodes.bytes() + this->ActiveBoxes.bytes() + this->Scene.bytes();
     for (const vulkan::Buffer& values : this->Values)
     {
       bytes += values.bytes();
@@ -257,7 +261,7 @@ struct VolumeRenderer::Internals
       this->Pass = std::make_unique<vulkan::MarchPass>(
         this->Device, this->Figures.traversal, view.reconstruction);
     }
-    if (!this->Subject.tree || this->Figures.activeRegions == 0)
+    if (!this->Subject.tree || this->Figures.activeBoxes == 0)
     {
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
@@ -266,10 +270,9 @@ struct VolumeRenderer::Internals
     layout::Frame frame{};
     frame.size = this->Subject.tree->size;
     frame.bricks = this->Bricks.address();
-    frame.regions = this->Regions.address();
     frame.brickLists = this->BrickLists.address();
     frame.nodes = this->Nodes.address();
-    frame.activeRegions = this->ActiveList.address();
+    frame.activeBoxes = this->ActiveBoxes.address();
     frame.transferBins = this->Bins.address();
     frame.transferKnots = this->Knots.address();
     frame.integralUnit = this->IntegralUnit;

@@ -29,16 +29,6 @@ enum class Reconstruction
   Completed // with scalars that have a layer around each brick (Completion)
 };
 
-/// Bricks, regions and values to draw. Nothing is copied: all must live as long as it is set.
-struct Volume
-{
-  const RegionTree* tree = nullptr;
-  const std::vector<Brick>* bricks = nullptr;
-  const std::vector<std::int64_t>* cellWidth = nullptr;
-  const Scalars* scalars = nullptr;
-  const std::vector<ValueRange>* ranges = nullptr;
-};
-
 struct View
 {
   glm::dmat4 ndcToHalfCells{ 1.0 }; // from normalised device coordinates, z in [-1, 1]
@@ -83,6 +73,7 @@ public:
     std::string device;
     Traversal traversal = Traversal::Automatic; // the one used
     std::size_t activeRegions = 0;
+    std::size_t activeBoxes = 0; // regions and parts of regions that the traversal is left with
     std::uint64_t deviceBytes = 0;
     // seconds, of the last time each was done
     double uploadTime = 0.0;  // bricks, regions, values

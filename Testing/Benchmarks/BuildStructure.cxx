@@ -78,7 +78,7 @@ void runCase(const char* name, const Hierarchy& hierarchy, int runs)
       RegionTree tree;
       const double regionSeconds = measure(
         runs, [&] { tree = buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, perRegion); });
-      std::vector<ValueRange> ranges;
+      ValueRanges ranges;
       const double rangeSeconds = measure(
         runs, [&] { ranges = findValueRanges(tree, bricks, hierarchy.cellWidth, scalars); });
 

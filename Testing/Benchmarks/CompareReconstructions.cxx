@@ -102,8 +102,8 @@ void compare(const char* name, const Grid& grid, const Field& field, std::vector
     reference::fillCells(grid.hierarchy, atCenters(grid, field));
   Scalars scalars;
   Completion completion;
-  std::vector<ValueRange> ranges;
-  std::vector<ValueRange> completedRanges;
+  ValueRanges ranges;
+  ValueRanges completedRanges;
   Costs gathering;
   Costs completing;
   for (int i = 0; i < 3; ++i)

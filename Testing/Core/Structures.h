@@ -49,6 +49,18 @@ inline Built buildRandom(std::uint32_t seed)
   return build(reference::randomScene(seed), brickCells[seed % 5], bricksPerRegion[seed % 4]);
 }
 
+/// Calls visit(brick, corner of the cell, index of its value) for all leaf cells.
+template <typename Visitor>
+void forEachLeafCell(const Built& built, const Visitor& visit)
+{
+  for (const Brick& brick : built.bricks)
+  {
+    std::uint64_t i = brick.firstValue;
+    forEachPoint({ Int3(0), Int3(brick.cells) },
+      [&](const Int3& c) { visit(brick, brick.lo + c * built.width(brick), i++); });
+  }
+}
+
 /// One number for each finest cell of a box.
 class Lattice
 {

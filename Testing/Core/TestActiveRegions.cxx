@@ -3,6 +3,7 @@
 #include "Core/ActiveRegions.h"
 #include "Core/Structures.h"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -11,14 +12,15 @@ using namespace exabricks::testing;
 
 namespace
 {
-// The leaf that holds a box, as the march finds it: a region, or nothing.
-std::uint32_t findRegion(const std::vector<layout::KdNode>& nodes, const glm::ivec3& lo)
+// The leaf that holds a point, as the march finds it: 4 * place in the brick lists + KD_LEAF, or
+// nothing.
+std::uint32_t findLeaf(const std::vector<layout::KdNode>& nodes, const glm::ivec3& p)
 {
   layout::KdNode node = nodes[0];
   while ((node.link & 3) != layout::KD_LEAF)
   {
     const std::uint32_t axis = node.link & 3;
-    node = nodes[(node.link >> 2) + (lo[axis] >= node.plane ? 1 : 0)];
+    node = nodes[(node.link >> 2) + (p[axis] >= node.plane ? 1 : 0)];
   }
   return node.link >> 2;
 }
@@ -35,17 +37,28 @@ std::size_t countLeaves(const std::vector<layout::KdNode>& nodes, std::size_t n)
 
 struct Ranged
 {
-  Built built;
-  std::vector<ValueRange> ranges;
+  explicit Ranged(Built b, int macrocellCells = MacrocellCells)
+    : built(std::move(b))
+    , scalars(gatherScalars(built.hierarchy(), built.bricks, built.scene.cells))
+    , ranges(findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, macrocellCells))
+  {
+  }
+
+  ActiveRegions select(const TransferFunction& transfer) const
+  {
+    return selectActiveRegions({ &this->built.tree, &this->built.bricks, &this->built.cellWidth(),
+                                 &this->scalars, &this->ranges },
+      transfer);
+  }
+
+  const Built built;
+  const Scalars scalars;
+  const ValueRanges ranges;
 };
 
-Ranged findRanges(Built built)
+bool contains(const layout::ActiveBox& box, const glm::ivec3& p)
 {
-  const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-  Ranged ranged{ std::move(built), {} };
-  ranged.ranges =
-    findValueRanges(ranged.built.tree, ranged.built.bricks, ranged.built.cellWidth(), scalars);
-  return ranged;
+  return glm::all(glm::greaterThanEqual(p, box.lo)) && glm::all(glm::lessThan(p, box.hi));
 }
 
 TransferFunction above(double value)
@@ -57,19 +70,25 @@ TransferFunction above(double value)
 
 TEST(ActiveRegions, AreThoseTheTransferFunctionShows)
 {
-  const Ranged ranged = findRanges(build(reference::twoLevels()));
-  const ActiveRegions active = selectActiveRegions(ranged.built.tree, ranged.ranges, above(0.8));
-  std::vector<std::uint32_t> expected;
-  for (std::uint32_t r = 0; r < ranged.ranges.size(); ++r)
+  const Ranged ranged(build(reference::twoLevels()), 1000); // as a whole
+  const ActiveRegions active = ranged.select(above(0.8));
+  std::size_t next = 0;
+  for (std::uint32_t r = 0; r < ranged.ranges.regions.size(); ++r)
   {
-    if (ranged.ranges[r].max > 0.8f)
+    const layout::Region& region = ranged.built.tree.regions[r];
+    if (ranged.ranges.regions[r].max > 0.8f)
     {
-      expected.push_back(r);
+      ASSERT_LT(next, active.boxes.size());
+      EXPECT_EQ(active.boxes[next].lo, region.lo);
+      EXPECT_EQ(active.boxes[next].hi, region.hi);
+      EXPECT_EQ(active.boxes[next].firstBrick, region.firstBrick);
+      ++next;
     }
   }
-  EXPECT_EQ(active.regions, expected);
-  EXPECT_GT(expected.size(), 0u);
-  EXPECT_LT(expected.size(), ranged.ranges.size());
+  EXPECT_EQ(active.boxes.size(), next);
+  EXPECT_EQ(active.regions, next);
+  EXPECT_GT(next, 0u);
+  EXPECT_LT(next, ranged.ranges.regions.size());
 }
 
 TEST(ActiveRegions, AreReachedThroughTheTreeAndNoOthers)
@@ -77,58 +96,133 @@ TEST(ActiveRegions, AreReachedThroughTheTreeAndNoOthers)
   for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
   {
     SCOPED_TRACE(seed);
-    const Ranged ranged = findRanges(buildRandom(seed));
+    const Ranged ranged(buildRandom(seed), 1 + seed % 8);
     const RegionTree& tree = ranged.built.tree;
-    const ActiveRegions active =
-      selectActiveRegions(tree, ranged.ranges, above(0.9 + 0.02 * (seed % 5)));
-    std::vector<unsigned char> isActive(tree.regions.size(), 0);
-    for (const std::uint32_t r : active.regions)
+    const ActiveRegions active = ranged.select(above(0.9 + 0.02 * (seed % 5)));
+    for (const layout::ActiveBox& box : active.boxes)
     {
-      isActive[r] = 1;
+      ASSERT_EQ(findLeaf(active.nodes, box.lo), box.firstBrick);
+      ASSERT_EQ(findLeaf(active.nodes, box.hi - 1), box.firstBrick);
     }
+    // any point of a region leads to its list where a box holds it, and to nothing elsewhere
     for (std::uint32_t r = 0; r < tree.regions.size(); ++r)
     {
-      // both corners of the region lead to it, or to nothing
-      const std::uint32_t expected = isActive[r] ? r : layout::KD_NO_REGION;
-      ASSERT_EQ(findRegion(active.nodes, tree.regions[r].lo), expected);
-      ASSERT_EQ(findRegion(active.nodes, tree.regions[r].hi - 1), expected);
+      const layout::Region& region = tree.regions[r];
+      for (const glm::ivec3& p : { region.lo, region.hi - 1, (region.lo + region.hi) / 2 })
+      {
+        const bool held = std::any_of(active.boxes.begin(), active.boxes.end(),
+          [&](const layout::ActiveBox& box) { return contains(box, p); });
+        ASSERT_EQ(findLeaf(active.nodes, p),
+          held ? region.firstBrick : std::uint32_t(layout::KD_NO_REGION));
+      }
     }
     ASSERT_EQ(active.nodes.size(), 2 * countLeaves(active.nodes, 0) - 1);
-    ASSERT_LE(active.nodes.size(), tree.nodes.size());
   }
+}
+
+TEST(ActiveRegions, AreCutWhereSomeMacrocellsShowNothing)
+{
+  // One brick, of which one octant shows.
+  reference::Scene scene;
+  scene.hierarchy.cellWidth = { 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(32) } } };
+  scene.cells = reference::fillCells(scene.hierarchy,
+    [](int, const Int3& c) { return c.x >= 24 && c.y >= 24 && c.z >= 24 ? 1.0 : 0.0; });
+  const Ranged ranged(build(scene));
+  ASSERT_EQ(ranged.built.tree.regions.size(), 1u);
+  const ActiveRegions active = ranged.select(above(0.5));
+  ASSERT_EQ(active.boxes.size(), 1u);
+  // cells up to 24 have tents that end at 25: half cells from 47 on; macrocells are 16 long
+  EXPECT_EQ(active.boxes[0].lo, glm::ivec3(32));
+  EXPECT_EQ(active.boxes[0].hi, glm::ivec3(64));
+  EXPECT_EQ(active.boxes[0].step, 2.0f);
+}
+
+TEST(ActiveRegions, LoseNoMacrocellThatShowsAnything)
+{
+  for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Ranged ranged(buildRandom(seed), 2);
+    const TransferFunction transfer = above(0.9);
+    const ActiveRegions active = ranged.select(transfer);
+    for (const MacrocellGrid& grid : ranged.ranges.grids)
+    {
+      const layout::Region& region = ranged.built.tree.regions[grid.region];
+      const glm::ivec3 n = grid.count(region);
+      for (int i = 0; i < n.x * n.y * n.z; ++i)
+      {
+        const glm::ivec3 lo =
+          region.lo + glm::ivec3(i % n.x, i / n.x % n.y, i / (n.x * n.y)) * grid.side;
+        if (transfer.visible(ranged.ranges.macrocells[grid.firstRange + i]))
+        {
+          ASSERT_EQ(findLeaf(active.nodes, lo), region.firstBrick);
+          ASSERT_EQ(
+            findLeaf(active.nodes, glm::min(lo + grid.side, region.hi) - 1), region.firstBrick);
+        }
+      }
+    }
+  }
+}
+
+TEST(ActiveRegions, SayTheFinestCellAndWhetherSomeAreAbsent)
+{
+  const Ranged ranged(build(reference::holes()));
+  const TransferFunction all({ { 0.0, glm::dvec4(1.0) } });
+  int absent = 0;
+  for (const layout::ActiveBox& box : ranged.select(all).boxes)
+  {
+    const layout::Region& region =
+      *std::find_if(ranged.built.tree.regions.begin(), ranged.built.tree.regions.end(),
+        [&](const layout::Region& r)
+        {
+          return glm::all(glm::lessThanEqual(r.lo, box.lo)) &&
+            glm::all(glm::greaterThanEqual(r.hi, box.hi));
+        });
+    std::int64_t finest = std::numeric_limits<std::int64_t>::max();
+    bool some = false;
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      const std::uint32_t b = ranged.built.tree.brickLists[region.firstBrick + k];
+      finest = std::min(finest, ranged.built.width(ranged.built.bricks[b]));
+      some = some || ranged.scalars.brickHasAbsentCells[b];
+    }
+    EXPECT_EQ(std::abs(box.step), static_cast<float>(2 * finest));
+    EXPECT_EQ(box.step < 0.0f, some);
+    absent += some;
+  }
+  EXPECT_GT(absent, 0);
 }
 
 TEST(ActiveRegions, AreAllWithDataWhenAllIsOpaque)
 {
-  const Ranged ranged = findRanges(build(reference::holes()));
-  const ActiveRegions active = selectActiveRegions(
-    ranged.built.tree, ranged.ranges, TransferFunction({ { 0.0, glm::dvec4(1.0) } }));
+  const Ranged ranged(build(reference::holes()));
+  const ActiveRegions active = ranged.select(TransferFunction({ { 0.0, glm::dvec4(1.0) } }));
   std::size_t withData = 0;
-  for (const ValueRange& range : ranged.ranges)
+  for (const ValueRange& range : ranged.ranges.regions)
   {
-    withData += range.min <= range.max;
+    withData += !range.empty();
   }
-  EXPECT_EQ(active.regions.size(), withData);
+  EXPECT_GE(active.boxes.size(), withData); // macrocells without any data are cut out
 }
 
 TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)
 {
-  const Ranged ranged = findRanges(build(reference::twoLevels()));
-  const ActiveRegions active =
-    selectActiveRegions(ranged.built.tree, ranged.ranges, TransferFunction());
-  EXPECT_TRUE(active.regions.empty());
+  const Ranged ranged(build(reference::twoLevels()));
+  const ActiveRegions active = ranged.select(TransferFunction());
+  EXPECT_TRUE(active.boxes.empty());
+  EXPECT_EQ(active.regions, 0u);
   ASSERT_EQ(active.nodes.size(), 1u);
   EXPECT_EQ(active.nodes[0].link, 4 * layout::KD_NO_REGION + layout::KD_LEAF);
 }
 
 TEST(ActiveRegions, SortedByMedianSplitsAreTheSameRegions)
 {
-  const Ranged ranged = findRanges(build(reference::twoLevels(), 4, 1));
-  std::vector<std::uint32_t> regions =
-    selectActiveRegions(ranged.built.tree, ranged.ranges, above(0.3)).regions;
-  std::vector<std::uint32_t> sorted = regions;
+  const Ranged ranged(build(reference::twoLevels(), 4, 1));
+  const std::vector<layout::ActiveBox> boxes = ranged.select(above(0.3)).boxes;
+  std::vector<layout::ActiveBox> sorted = boxes;
   std::shuffle(sorted.begin(), sorted.end(), std::mt19937(7));
-  sortByMedianSplits(ranged.built.tree, sorted);
+  sortByMedianSplits(sorted);
 
   // The first half lies below the second along one axis.
   bool halved = false;
@@ -138,14 +232,22 @@ TEST(ActiveRegions, SortedByMedianSplitsAreTheSameRegions)
     int upper = std::numeric_limits<int>::max();
     for (std::size_t i = 0; i < sorted.size(); ++i)
     {
-      const layout::Region& region = ranged.built.tree.regions[sorted[i]];
-      const int center = region.lo[axis] + region.hi[axis];
+      const int center = sorted[i].lo[axis] + sorted[i].hi[axis];
       (i < sorted.size() / 2 ? lower : upper) =
         i < sorted.size() / 2 ? std::max(lower, center) : std::min(upper, center);
     }
     halved = halved || lower <= upper;
   }
   EXPECT_TRUE(halved);
-  std::sort(sorted.begin(), sorted.end());
-  EXPECT_EQ(sorted, regions);
+  const auto corners = [](const std::vector<layout::ActiveBox>& of)
+  {
+    std::vector<std::array<int, 3>> los;
+    for (const layout::ActiveBox& box : of)
+    {
+      los.push_back({ { box.lo.x, box.lo.y, box.lo.z } });
+    }
+    std::sort(los.begin(), los.end());
+    return los;
+  };
+  EXPECT_EQ(corners(sorted), corners(boxes));
 }

@@ -90,7 +90,7 @@ void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& vi
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
     const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    const std::vector<ValueRange> ranges =
+    const ValueRanges ranges =
       findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
     std::mt19937 random(seed);
     const std::size_t step = built.tree.regions.size() / regions + 1;
@@ -112,7 +112,7 @@ void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& vi
 TEST(Reconstruction, TakesTheSameFromTheRegionsListAsFromAllBricks)
 {
   forRandomPoints(50, 2,
-    [](const Built& built, const Scalars& scalars, const std::vector<ValueRange>&, std::size_t r,
+    [](const Built& built, const Scalars& scalars, const ValueRanges&, std::size_t r,
       const glm::vec3& p)
     {
       const Sums<float> listed = sumOverRegion(built, scalars, built.tree.regions[r], p);
@@ -130,8 +130,8 @@ TEST(Reconstruction, TakesTheSameFromTheRegionsListAsFromAllBricks)
 TEST(Reconstruction, NeverLeavesTheRangeOfTheRegion)
 {
   forRandomPoints(300, 4,
-    [](const Built& built, const Scalars& scalars, const std::vector<ValueRange>& ranges,
-      std::size_t r, const glm::vec3& p)
+    [](const Built& built, const Scalars& scalars, const ValueRanges& ranges, std::size_t r,
+      const glm::vec3& p)
     {
       const layout::Region& region = built.tree.regions[r];
       // A mean stays in the range. Rounding adds a few ulp: each sum rounds once per term.
@@ -140,12 +140,12 @@ TEST(Reconstruction, NeverLeavesTheRangeOfTheRegion)
       if (sums.weights > 0.0)
       {
         const double value = sums.values / sums.weights;
-        ASSERT_GE(value, ranges[r].min * (1.0 - 1e-14));
-        ASSERT_LE(value, ranges[r].max * (1.0 + 1e-14));
+        ASSERT_GE(value, ranges.regions[r].min * (1.0 - 1e-14));
+        ASSERT_LE(value, ranges.regions[r].max * (1.0 + 1e-14));
         const float slack =
           2.0f * std::numeric_limits<float>::epsilon() * static_cast<float>(region.brickCount + 4);
-        ASSERT_GE(rounded.values / rounded.weights, ranges[r].min * (1.0f - slack));
-        ASSERT_LE(rounded.values / rounded.weights, ranges[r].max * (1.0f + slack));
+        ASSERT_GE(rounded.values / rounded.weights, ranges.regions[r].min * (1.0f - slack));
+        ASSERT_LE(rounded.values / rounded.weights, ranges.regions[r].max * (1.0f + slack));
       }
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gathered values are the source's, normalised without loss, and each region knows their range.
+// Gathered values are the source's, normalised without loss.
 #include "Core/Scalars.h"
 #include "Core/Structures.h"
 
@@ -84,17 +84,6 @@ double expectedValue(const Scene& scene, int level, const Int3& corner)
   return found;
 }
 
-// Calls visit(brick, corner of the cell, index of its value) for all leaf cells.
-template <typename Visitor>
-void forEachLeafCell(const Built& built, const Visitor& visit)
-{
-  for (const Brick& brick : built.bricks)
-  {
-    std::uint64_t i = brick.firstValue;
-    forEachPoint({ Int3(0), Int3(brick.cells) },
-      [&](const Int3& c) { visit(brick, brick.lo + c * built.width(brick), i++); });
-  }
-}
 }
 
 TEST(Range, NormalizesItsEndsTo0And1)
@@ -257,50 +246,4 @@ TEST(Scalars, ReportProgressFromTheCallingThread)
   EXPECT_FALSE(
     gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, watch).values.empty());
   EXPECT_EQ(last, 1.0);
-}
-
-TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)
-{
-  for (std::uint32_t seed = 0; seed < 40; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    const std::vector<ValueRange> ranges =
-      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
-    ASSERT_EQ(ranges.size(), built.tree.regions.size());
-
-    std::vector<ValueRange> expected(ranges.size());
-    forEachLeafCell(built,
-      [&](const Brick& brick, const Int3& corner, std::uint64_t i)
-      {
-        const std::int64_t width = built.width(brick);
-        const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
-        const Box tent{ lo - width, lo + 3 * width };
-        for (std::size_t r = 0; r < expected.size() && scalars.values[i] != layout::ABSENT; ++r)
-        {
-          const layout::Region& region = built.tree.regions[r];
-          if (region.brickCount > 0 && tent.intersects({ Int3(region.lo), Int3(region.hi) }))
-          {
-            expected[r].min = std::min(expected[r].min, scalars.values[i]);
-            expected[r].max = std::max(expected[r].max, scalars.values[i]);
-          }
-        }
-      });
-    for (std::size_t r = 0; r < expected.size(); ++r)
-    {
-      ASSERT_EQ(ranges[r].min, expected[r].min);
-      ASSERT_EQ(ranges[r].max, expected[r].max);
-    }
-  }
-}
-
-TEST(ValueRanges, AreEmptyWhereAllCellsAreAbsent)
-{
-  const Row row = gatherRow({ notANumber, notANumber, notANumber });
-  for (const ValueRange& range :
-    findValueRanges(row.built.tree, row.built.bricks, row.built.cellWidth(), row.scalars))
-  {
-    EXPECT_GT(range.min, range.max);
-  }
 }

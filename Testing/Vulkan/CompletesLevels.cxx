@@ -368,8 +368,8 @@ TEST(CompletesLevels, RegionsHaveTheirBricksAndRanges)
       EXPECT_TRUE(std::abs(value - expected) < 1e-6 || std::isnan(expected)) << seed;
       if (!std::isnan(value))
       {
-        EXPECT_GE(value, ranges[r].min - 1e-6) << seed;
-        EXPECT_LE(value, ranges[r].max + 1e-6) << seed;
+        EXPECT_GE(value, ranges.regions[r].min - 1e-6) << seed;
+        EXPECT_LE(value, ranges.regions[r].max + 1e-6) << seed;
       }
     }
   }

@@ -96,9 +96,9 @@ struct SceneRenderer
   const reference::Scene scene;
   const Structure structure;
   const Scalars scalars;
-  const std::vector<ValueRange> ranges;
+  const ValueRanges ranges;
   Completion completion;
-  std::vector<ValueRange> completedRanges;
+  ValueRanges completedRanges;
   VolumeRenderer renderer;
   TransferFunction transfer;
   double opacityUnitDistance = 1.0;

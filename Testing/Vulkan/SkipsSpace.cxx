@@ -63,18 +63,45 @@ TEST(SkipsSpace, SkippingChangesNoPixel)
 {
   SceneRenderer subject(reference::twoLevels());
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
-  // The same function twice, once with an opacity too small to see everywhere, so that nothing is
+  subject.reconstruction = Reconstruction::Nearest; // exact, whatever the intervals
+  const reference::Image skipping = subject.render(view);
+  subject.reconstruction = Reconstruction::Basis;
+  const reference::Image truth = subject.renderOracle(view);
+  const double skippingBasis = reference::psnr(subject.render(view), truth);
+  const std::size_t active = subject.renderer.statistics().activeRegions;
+  // The same function once more, with an opacity too small to see everywhere, so that nothing is
   // skipped.
   std::vector<TransferFunction::Point> points = layeredTransfer().points();
-  const reference::Image skipping = subject.render(view);
-  const std::size_t active = subject.renderer.statistics().activeRegions;
   for (TransferFunction::Point& point : points)
   {
     point.color.a = std::max(point.color.a, 1e-12);
   }
   subject.setTransfer(TransferFunction(points));
   EXPECT_GT(subject.renderer.statistics().activeRegions, active);
+  // intervals begin at other places: as near to what it ought to be
+  EXPECT_NEAR(reference::psnr(subject.render(view), truth), skippingBasis, 2.0);
+  subject.reconstruction = Reconstruction::Nearest;
   EXPECT_LE(largestDifference(skipping, subject.render(view)), 1e-5);
+}
+
+TEST(SkipsSpace, AMacrocellThatShowsNothingIsSkippedInsideABrick)
+{
+  // A ball in the middle of one brick.
+  reference::Scene scene;
+  scene.hierarchy.cellWidth = { 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(32) } } };
+  scene.cells = reference::fillCells(scene.hierarchy,
+    [](int, const Int3& c)
+    { return std::exp(-0.02 * std::pow(glm::length(glm::dvec3(c) - 15.5), 2.0)); });
+  SceneRenderer subject(scene);
+  const std::size_t regions = subject.structure.tree.regions.size();
+  ASSERT_EQ(regions, 1u);
+  subject.setTransfer(
+    TransferFunction({ { 0.5, glm::dvec4(1, 1, 1, 0) }, { 0.9, glm::dvec4(1) } }));
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  // the eight macrocells around the middle, as one box
+  EXPECT_EQ(subject.renderer.statistics().activeBoxes, 1u);
+  EXPECT_GE(reference::psnr(subject.render(view), subject.renderOracle(view)), 60.0);
 }
 
 TEST(SkipsSpace, ColoursKeepTheActiveRegionsAndTheCameraKeepsAll)

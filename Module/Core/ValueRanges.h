@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The range of values that the reconstruction can take in each region, and in parts of long ones: a
+// brick is a box of many cells, of which the transfer function may show few.
+#ifndef ExaBricksCoreValueRanges_h
+#define ExaBricksCoreValueRanges_h
+
+#include "Core/Scalars.h"
+
+namespace exabricks
+{
+/// Least and greatest normalised value; empty: min > max.
+struct ValueRange
+{
+  float min = std::numeric_limits<float>::infinity();
+  float max = -std::numeric_limits<float>::infinity();
+
+  bool empty() const { return !(this->min <= this->max); }
+  void add(const ValueRange& other)
+  {
+    this->min = std::min(this->min, other.min);
+    this->max = std::max(this->max, other.max);
+  }
+};
+
+/// Longest side of a macrocell, in cells of the region's finest brick.
+constexpr int MacrocellCells = 8;
+
+/// A region cut into boxes of equal sides from its lower corner on; the last ones may be shorter.
+struct MacrocellGrid
+{
+  std::uint32_t region;
+  int side;               // half cells
+  std::size_t firstRange; // x runs fastest
+
+  glm::ivec3 count(const layout::Region& box) const
+  {
+    return (box.hi - box.lo + (this->side - 1)) / this->side;
+  }
+};
+
+/// Over the cells whose tent reaches into a box. The reconstruction is a weighted mean of them, so
+/// it leaves the range by no more than its own rounding.
+struct ValueRanges
+{
+  std::vector<ValueRange> regions;
+  std::vector<MacrocellGrid> grids; // of the regions longer than a macrocell, in ascending order
+  std::vector<ValueRange> macrocells;
+
+  std::uint64_t bytes() const
+  {
+    return (this->regions.capacity() + this->macrocells.capacity()) * sizeof(ValueRange) +
+      this->grids.capacity() * sizeof(MacrocellGrid);
+  }
+};
+
+ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars,
+  int macrocellCells = MacrocellCells);
+}
+
+#endif

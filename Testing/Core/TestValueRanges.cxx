@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each region, and each macrocell of a long one, knows the range of the values in it.
+#include "Core/Structures.h"
+#include "Core/ValueRanges.h"
+
+#include <gtest/gtest.h>
+
+using namespace exabricks;
+using namespace exabricks::testing;
+
+TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)
+{
+  for (std::uint32_t seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    const ValueRanges ranges =
+      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
+    ASSERT_EQ(ranges.regions.size(), built.tree.regions.size());
+
+    std::vector<ValueRange> expected(ranges.regions.size());
+    forEachLeafCell(built,
+      [&](const Brick& brick, const Int3& corner, std::uint64_t i)
+      {
+        const std::int64_t width = built.width(brick);
+        const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
+        const Box tent{ lo - width, lo + 3 * width };
+        for (std::size_t r = 0; r < expected.size() && scalars.values[i] != layout::ABSENT; ++r)
+        {
+          const layout::Region& region = built.tree.regions[r];
+          if (region.brickCount > 0 && tent.intersects({ Int3(region.lo), Int3(region.hi) }))
+          {
+            expected[r].min = std::min(expected[r].min, scalars.values[i]);
+            expected[r].max = std::max(expected[r].max, scalars.values[i]);
+          }
+        }
+      });
+    for (std::size_t r = 0; r < expected.size(); ++r)
+    {
+      ASSERT_EQ(ranges.regions[r].min, expected[r].min);
+      ASSERT_EQ(ranges.regions[r].max, expected[r].max);
+    }
+  }
+}
+
+TEST(ValueRanges, OfMacrocellsAreThoseOfTheCellsWhoseTentsReachIntoThem)
+{
+  std::size_t cut = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    const ValueRanges ranges =
+      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, 2);
+    for (const MacrocellGrid& grid : ranges.grids)
+    {
+      const layout::Region& region = built.tree.regions[grid.region];
+      const glm::ivec3 n = grid.count(region);
+      std::vector<ValueRange> expected(n.x * n.y * n.z);
+      std::vector<Box> boxes;
+      forEachPoint({ Int3(0), Int3(n) },
+        [&](const Int3& cell)
+        {
+          const Int3 lo = Int3(region.lo) + cell * std::int64_t(grid.side);
+          boxes.push_back({ lo, glm::min(lo + std::int64_t(grid.side), Int3(region.hi)) });
+        });
+      ASSERT_EQ(boxes.size(), expected.size());
+      forEachLeafCell(built,
+        [&](const Brick& brick, const Int3& corner, std::uint64_t i)
+        {
+          const std::int64_t width = built.width(brick);
+          const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
+          const Box tent{ lo - width, lo + 3 * width };
+          for (std::size_t k = 0; k < boxes.size() && scalars.values[i] != layout::ABSENT; ++k)
+          {
+            if (tent.intersects(boxes[k]))
+            {
+              expected[k].add({ scalars.values[i], scalars.values[i] });
+            }
+          }
+        });
+      for (std::size_t k = 0; k < expected.size(); ++k)
+      {
+        ASSERT_EQ(ranges.macrocells[grid.firstRange + k].min, expected[k].min);
+        ASSERT_EQ(ranges.macrocells[grid.firstRange + k].max, expected[k].max);
+      }
+      ++cut;
+    }
+  }
+  EXPECT_GT(cut, 100u);
+}
+
+TEST(ValueRanges, AreEmptyWhereAllCellsAreAbsent)
+{
+  reference::Scene scene;
+  scene.hierarchy.cellWidth = { 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(3, 1, 1) } } };
+  scene.cells = reference::fillCells(
+    scene.hierarchy, [](int, const Int3&) { return std::numeric_limits<double>::quiet_NaN(); });
+  const Built built = build(scene);
+  const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+  const ValueRanges ranges =
+    findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, 1);
+  for (const std::vector<ValueRange>* all : { &ranges.regions, &ranges.macrocells })
+  {
+    EXPECT_FALSE(all->empty());
+    for (const ValueRange& range : *all)
+    {
+      EXPECT_TRUE(range.empty());
+    }
+  }
+}
