@@ -35,14 +35,16 @@ class Builder
 {
 public:
   Builder(const std::vector<Brick>& bricks, const Box& bounds,
-    const std::vector<std::int64_t>& cellWidth, int bricksPerRegion, const Progress& progress)
-    : BricksPerRegion(bricksPerRegion)
+    const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits,
+    const Progress& progress)
+    : Limits(limits)
     , Report(progress)
   {
     this->Tree.bounds = bounds;
     this->Tree.size = glm::ivec3(bounds.size() * std::int64_t(2));
     this->Bricks.reserve(bricks.size());
     this->Supports.reserve(bricks.size());
+    this->Widths.reserve(bricks.size());
     for (const Brick& brick : bricks)
     {
       const std::int64_t width = cellWidth[brick.level];
@@ -50,6 +52,7 @@ public:
       const Int3 lo = (box.lo - bounds.lo) * std::int64_t(2);
       const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
       this->Bricks.push_back({ glm::ivec3(lo), glm::ivec3(hi) });
+      this->Widths.push_back(width);
       const Int3 size(this->Tree.size);
       this->Supports.push_back(
         { glm::ivec3(glm::max(lo - width, Int3(0))), glm::ivec3(glm::min(hi + width, size)) });
@@ -95,6 +98,24 @@ private:
                                          : Cover::Partial;
   }
 
+  // Whether the node's list is short enough for a region.
+  bool IsFew(const HalfBox& box, std::size_t begin) const
+  {
+    const std::size_t count = this->Lists.size() - begin;
+    if (count > static_cast<std::size_t>(this->Limits.smallBricks))
+    {
+      return count <= static_cast<std::size_t>(this->Limits.bricks);
+    }
+    std::int64_t finest = std::numeric_limits<int>::max();
+    for (std::size_t i = begin; i < this->Lists.size(); ++i)
+    {
+      finest = std::min(finest, this->Widths[this->Lists[i]]);
+    }
+    const glm::ivec3 size = box.hi - box.lo;
+    return count <= static_cast<std::size_t>(this->Limits.bricks) ||
+      std::max({ size.x, size.y, size.z }) <= 2 * this->Limits.smallCells * finest;
+  }
+
   // The node's list is the end of Lists, from `begin` on; `share` is its part of the whole work.
   void Node(const HalfBox& box, std::size_t node, std::size_t begin, double share)
   {
@@ -113,8 +134,7 @@ private:
       const Cover cover = this->FindCover(box, begin);
       if (cover != Cover::None)
       {
-        const bool few = count <= static_cast<std::size_t>(this->BricksPerRegion);
-        this->ChoosePlane(box, begin, !few, cover == Cover::Partial);
+        this->ChoosePlane(box, begin, !this->IsFew(box, begin), cover == Cover::Partial);
       }
       if (this->Best.axis < 0)
       {
@@ -249,11 +269,12 @@ private:
   // Longer lists are split at the middle, shorter ones by cost.
   static constexpr std::size_t ExactCount = 24;
 
-  const int BricksPerRegion;
+  const RegionLimits Limits;
   const Progress& Report;
   RegionTree Tree;
   std::vector<HalfBox> Bricks;
   std::vector<HalfBox> Supports;
+  std::vector<std::int64_t> Widths; // of the bricks' cells, finest cells
   std::vector<std::uint32_t> Lists; // a stack of the lists of the nodes on the current path
   double Done = 0.0;
   bool Aborted = false;
@@ -263,8 +284,8 @@ private:
 }
 
 RegionTree buildRegions(const std::vector<Brick>& bricks, const Box& bounds,
-  const std::vector<std::int64_t>& cellWidth, int bricksPerRegion, const Progress& progress)
+  const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits, const Progress& progress)
 {
-  return Builder(bricks, bounds, cellWidth, bricksPerRegion, progress).build();
+  return Builder(bricks, bounds, cellWidth, limits, progress).build();
 }
 }

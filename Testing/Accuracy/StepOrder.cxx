@@ -72,7 +72,8 @@ std::vector<StepScene> kinkedScenes()
     scene.transfer = function.second;
     scene.view = reference::lookAt(scene.scene.hierarchy,
       reference::boundsOf(scene.scene.hierarchy), { -0.6, 0.5, -0.4 }, 30.0, 96, 96);
-    scene.stepScales = { 4.0, 2.0, 1.0, 0.5, 0.25, 0.125 };
+    // Regions of this small scene are up to about four cells long, and cut longer intervals.
+    scene.stepScales = { 2.0, 1.0, 0.5, 0.25, 0.125 };
     // A spike is thin: let it show.
     scene.opacityUnitDistance = function.first.find("spike") != std::string::npos ? 0.01 : 1.0;
     scenes.push_back(scene);

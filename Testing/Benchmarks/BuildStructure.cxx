@@ -76,8 +76,8 @@ void runCase(const char* name, const Hierarchy& hierarchy, int runs)
     for (const int perRegion : { 1, 2, 3, 4, 8 })
     {
       RegionTree tree;
-      const double regionSeconds = measure(
-        runs, [&] { tree = buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, perRegion); });
+      const double regionSeconds = measure(runs,
+        [&] { tree = buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, { perRegion }); });
       ValueRanges ranges;
       const double rangeSeconds = measure(
         runs, [&] { ranges = findValueRanges(tree, bricks, hierarchy.cellWidth, scalars); });

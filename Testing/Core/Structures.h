@@ -30,14 +30,14 @@ struct Built
   Box box(const Brick& brick) const { return brick.box(this->width(brick)); }
 };
 
-inline Built build(reference::Scene scene, int brickCells = DefaultBrickCells,
-  int bricksPerRegion = DefaultBricksPerRegion)
+inline Built build(
+  reference::Scene scene, int brickCells = DefaultBrickCells, const RegionLimits& limits = {})
 {
   Built built;
   built.scene = std::move(scene);
   built.leaves = findLeafBoxes(built.hierarchy());
   built.bricks = buildBricks(built.leaves, built.cellWidth(), brickCells);
-  built.tree = buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), bricksPerRegion);
+  built.tree = buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), limits);
   return built;
 }
 
@@ -45,8 +45,8 @@ inline Built build(reference::Scene scene, int brickCells = DefaultBrickCells,
 inline Built buildRandom(std::uint32_t seed)
 {
   constexpr int brickCells[] = { 16, 3, 255, 1, 5 };
-  constexpr int bricksPerRegion[] = { 4, 1, 2, 8 };
-  return build(reference::randomScene(seed), brickCells[seed % 5], bricksPerRegion[seed % 4]);
+  constexpr RegionLimits limits[] = { { 4, 4, 0 }, { 1, 1, 0 }, { 2, 6, 3 }, { 8, 8, 0 }, {} };
+  return build(reference::randomScene(seed), brickCells[seed / 5 % 5], limits[seed % 5]);
 }
 
 /// Calls visit(brick, corner of the cell, index of its value) for all leaf cells.

@@ -218,7 +218,7 @@ TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)
 
 TEST(ActiveRegions, SortedByMedianSplitsAreTheSameRegions)
 {
-  const Ranged ranged(build(reference::twoLevels(), 4, 1));
+  const Ranged ranged(build(reference::twoLevels(), 4, { 1, 1, 0 }));
   const std::vector<layout::ActiveBox> boxes = ranged.select(above(0.3)).boxes;
   std::vector<layout::ActiveBox> sorted = boxes;
   std::shuffle(sorted.begin(), sorted.end(), std::mt19937(7));

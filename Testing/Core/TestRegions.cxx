@@ -59,7 +59,7 @@ TEST(Regions, AreCutAtTheFacesOfSupports)
   hierarchy.blocks = { { 0, { Int3(0), Int3(8, 1, 1) } } };
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   const std::vector<Brick> bricks = buildBricks(leaves, hierarchy.cellWidth, 4);
-  const RegionTree tree = buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, 1);
+  const RegionTree tree = buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, { 1, 1, 0 });
   ASSERT_EQ(tree.regions.size(), 3u);
   std::vector<std::pair<int, int>> spans;
   for (const layout::Region& region : tree.regions)
@@ -67,7 +67,8 @@ TEST(Regions, AreCutAtTheFacesOfSupports)
     spans.emplace_back(region.lo.x, region.hi.x);
   }
   EXPECT_EQ(spans, (std::vector<std::pair<int, int>>{ { 0, 7 }, { 7, 9 }, { 9, 16 } }));
-  EXPECT_EQ(buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, 2).regions.size(), 1u);
+  EXPECT_EQ(
+    buildRegions(bricks, leaves.bounds, hierarchy.cellWidth, { 2, 2, 0 }).regions.size(), 1u);
 }
 
 TEST(Regions, PartitionTheBoundsAsTheLeavesOfTheTree)
@@ -139,7 +140,7 @@ TEST(Regions, KeepListsShortWhereFewBricksMeet)
 {
   // The face between two bricks, the edge of four, the corner of eight: nothing longer, and what
   // lies inside one brick lists it alone.
-  const Built built = build(reference::uniform(), 12, 1);
+  const Built built = build(reference::uniform(), 12, { 1, 1, 0 });
   ASSERT_EQ(built.bricks.size(), 8u);
   ASSERT_EQ(built.tree.regions.size(), 27u);
   std::vector<int> ofLength(9, 0);
@@ -148,6 +149,25 @@ TEST(Regions, KeepListsShortWhereFewBricksMeet)
     ++ofLength[region.brickCount];
   }
   EXPECT_EQ(ofLength, (std::vector<int>{ 0, 8, 12, 0, 6, 0, 0, 0, 1 }));
+}
+
+TEST(Regions, ThatAreSmallMayListMoreBricks)
+{
+  // Where eight bricks meet, what is no longer than six cells is left whole.
+  const Built built = build(reference::uniform(), 3, { 1, 8, 6 });
+  ASSERT_EQ(built.bricks.size(), 512u);
+  const Built split = build(reference::uniform(), 3, { 1, 1, 0 });
+  EXPECT_LT(9 * built.tree.regions.size(), split.tree.regions.size());
+  std::uint32_t longest = 0;
+  for (const layout::Region& region : built.tree.regions)
+  {
+    const glm::ivec3 size = region.hi - region.lo;
+    EXPECT_TRUE(region.brickCount == 1 || std::max({ size.x, size.y, size.z }) <= 12 ||
+      region.brickCount == 0);
+    longest = std::max(longest, region.brickCount);
+  }
+  EXPECT_GT(longest, 1u);
+  EXPECT_LE(longest, 8u);
 }
 
 TEST(Regions, OfNoDataHaveNoBricks)
@@ -164,7 +184,7 @@ TEST(Regions, AreNoTreeWhenProgressAborts)
   const Built built = build(reference::twoLevels());
   const auto abort = [](double) { return false; };
   EXPECT_TRUE(
-    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), 4, abort).nodes.empty());
+    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), {}, abort).nodes.empty());
 }
 
 TEST(Regions, ReportProgressThatGrowsToOne)
@@ -179,7 +199,7 @@ TEST(Regions, ReportProgressThatGrowsToOne)
     return true;
   };
   const RegionTree tree =
-    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), 1, watch);
+    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), {}, watch);
   EXPECT_EQ(tree.nodes.size(), 2 * tree.regions.size() - 1);
   EXPECT_GT(last, 0.0);
 }
