@@ -141,10 +141,13 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckValues(
       "of the volume property, and choose a component or the magnitude";
   }
   const double unit = property->GetScalarOpacityUnitDistance(0);
-  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale))
+  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale) ||
+    !std::isfinite(self->ErrorTolerance))
   {
-    return "expected a finite, positive ScalarOpacityUnitDistance and a finite StepScale, found " +
-      std::to_string(unit) + " and " + std::to_string(self->StepScale);
+    return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
+           "ErrorTolerance, found " +
+      std::to_string(unit) + ", " + std::to_string(self->StepScale) + " and " +
+      std::to_string(self->ErrorTolerance);
   }
   return {};
 }
@@ -446,6 +449,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     view.depth = hasDepth ? internals.Depth.data() : nullptr;
     view.reconstruction = static_cast<exabricks::Reconstruction>(this->Reconstruction);
     view.stepScale = this->StepScale;
+    view.errorTolerance = this->ErrorTolerance;
     view.opacityUnitDistance = property->GetScalarOpacityUnitDistance(0);
     view.terminationOpacity = this->EarlyTerminationOpacity;
     fault = internals.Renderer.render(view, internals.Pixels);
@@ -476,6 +480,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Reconstruction: " << this->GetReconstructionAsString() << "\n";
   os << indent << "StepScale: " << this->StepScale << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
   os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";
   os << indent << "VectorMode: " << (this->VectorMode == COMPONENT ? "Component" : "Magnitude")

@@ -27,10 +27,11 @@ void enterRegion(uint firstBrick, float step, float entry, float exit, inout Mar
   march.intervals = 1;
   if (!nearest)
   {
-    // Samples at most stepScale cells of the finest brick apart, two to an interval, unless one
-    // alone does for the region.
+    // Samples at most a step apart, two to an interval, unless one alone does for the region. An error
+    // behind what is opaque is seen less.
     march.cut = step < 0.0;
-    const float interval = 2.0 * stepScale * abs(step);
+    const float interval = 2.0 * stepScale * abs(step) *
+      exp2(-veiled * log2(max(1.0 - march.color.a, 1.0 / 1024.0)));
     const float count = max(ceil((exit - entry) / interval), 1.0);
     march.halved = march.cut || exit - entry > 0.5 * interval;
     march.interval = march.cut ? interval : (exit - entry) / count;

@@ -56,7 +56,7 @@ struct ActiveBox
   ivec3 lo;        // half cells
   uint firstBrick; // as the region's
   ivec3 hi;
-  float step; // width of the finest cell, half cells; below 0: some cells are absent
+  float step; // at a step scale of 1, half cells; below 0: some cells are absent
 };
 
 // On the device the last brick of a list is marked.
@@ -111,7 +111,8 @@ struct Frame
   ivec3 size; // of the bounds, half cells
   uint width; // pixels
   uint height;
-  float stepScale;          // step in finest cells of the region
+  float stepScale;          // of the boxes' steps
+  float veiled;             // steps grow with transmittance to the power of minus this
   float inverseUnit;        // 1 / scalar opacity unit distance, 1 / world length
   float terminationOpacity; // a ray ends at this opacity
   float integralUnit;       // of the transfer function's integrals
@@ -141,7 +142,7 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 368, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 376, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

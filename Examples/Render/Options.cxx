@@ -148,6 +148,12 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->type_name("S")
     ->check(CLI::PositiveNumber)
     ->group(method);
+  app
+    .add_option("--error-tolerance", o.ErrorTolerance,
+      "Error to draw with, of drawn pixels in [0, 1], instead of a step scale; 0.004 is one of 255")
+    ->type_name("E")
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(method);
   app.add_option("--traversal", o.Traversal, "automatic, ray-query or kd-tree [automatic]")
     ->type_name("KIND")
     ->check(CLI::IsMember({ "automatic", "ray-query", "kd-tree" }))

@@ -51,7 +51,8 @@ struct Options
   std::string Traversal = "automatic";
   std::string Device;
   double StepScale = 0.0; // 0: the mapper's own
-  int Frames = 0;         // timed after the first
+  double ErrorTolerance = 0.0;
+  int Frames = 0; // timed after the first
 };
 
 // Reads the command line. False: there is nothing left to do (--help or --version was answered).

@@ -107,6 +107,7 @@ void Picture::SetUpMapper(const std::string& array, int components)
   {
     mapper->SetStepScale(this->Asked.StepScale);
   }
+  mapper->SetErrorTolerance(this->Asked.ErrorTolerance);
   if (!this->Asked.Device.empty())
   {
     mapper->SetDevice(this->Asked.Device.c_str());

@@ -17,10 +17,11 @@ int longestAxis(const glm::ivec3& size)
 class Selection
 {
 public:
-  Selection(const Volume& volume, const TransferFunction& transfer)
+  Selection(const Volume& volume, const TransferFunction& transfer, const StepWeights* weights)
     : Tree(*volume.tree)
     , Subject(volume)
     , Transfer(transfer)
+    , Weights(weights)
   {
     if (!this->Tree.nodes.empty())
     {
@@ -77,7 +78,7 @@ private:
     ++this->Result.regions;
     if (this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
     {
-      return this->Show(region, region.lo, region.hi);
+      return this->Show(region, region.lo, region.hi, this->Subject.ranges->regions[index]);
     }
     const MacrocellGrid& grid = grids[this->NextGrid];
     return this->Cut(region, grid, glm::ivec3(0), grid.count(region));
@@ -92,17 +93,20 @@ private:
     glm::ivec3 first = end;
     glm::ivec3 last = begin;
     bool all = true;
+    ValueRange range;
     for (int z = begin.z; z < end.z; ++z)
     {
       for (int y = begin.y; y < end.y; ++y)
       {
         for (int x = begin.x; x < end.x; ++x)
         {
-          const bool shown = this->Transfer.visible(
+          const ValueRange& values =
             this->Subject.ranges
-              ->macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)]);
+              ->macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)];
+          const bool shown = this->Transfer.visible(values);
           if (shown)
           {
+            range.add(values);
             first = glm::min(first, glm::ivec3(x, y, z));
             last = glm::max(last, glm::ivec3(x, y, z) + 1);
           }
@@ -116,8 +120,8 @@ private:
     }
     if (all)
     {
-      return this->Show(
-        region, region.lo + begin * grid.side, glm::min(region.lo + end * grid.side, region.hi));
+      return this->Show(region, region.lo + begin * grid.side,
+        glm::min(region.lo + end * grid.side, region.hi), range);
     }
     const auto join = [&](int axis, int middle, bool lower, bool upper)
     {
@@ -144,7 +148,8 @@ private:
     return join(axis, (begin[axis] + end[axis]) / 2, true, true);
   }
 
-  layout::KdNode Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi)
+  layout::KdNode Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi,
+    const ValueRange& range)
   {
     std::int64_t width = std::numeric_limits<std::int64_t>::max();
     bool absent = false;
@@ -154,8 +159,10 @@ private:
       width = std::min(width, (*this->Subject.cellWidth)[(*this->Subject.bricks)[brick].level]);
       absent = absent || this->Subject.scalars->brickHasAbsentCells[brick];
     }
-    const float cell = 2.0f * static_cast<float>(width);
-    const float step = absent ? -cell : cell;
+    const double cells =
+      this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;
+    const float length = static_cast<float>(cells * 2.0 * static_cast<double>(width));
+    const float step = absent ? -length : length;
     layout::KdNode leaf{ 0, 4 * region.firstBrick + layout::KD_LEAF };
     std::memcpy(&leaf.plane, &step, sizeof step);
     this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
@@ -165,14 +172,16 @@ private:
   const RegionTree& Tree;
   const Volume& Subject;
   const TransferFunction& Transfer;
+  const StepWeights* Weights;
   ActiveRegions Result;
   std::size_t NextGrid = 0;
 };
 }
 
-ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer)
+ActiveRegions selectActiveRegions(
+  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights)
 {
-  return Selection(volume, transfer).take();
+  return Selection(volume, transfer, weights).take();
 }
 
 void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)

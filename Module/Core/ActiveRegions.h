@@ -4,7 +4,7 @@
 #ifndef ExaBricksCoreActiveRegions_h
 #define ExaBricksCoreActiveRegions_h
 
-#include "Core/TransferFunction.h"
+#include "Core/StepControl.h"
 #include "Core/Volume.h"
 
 namespace exabricks
@@ -18,7 +18,9 @@ struct ActiveRegions
   std::vector<layout::KdNode> nodes;
 };
 
-ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer);
+/// `weights`: of the steps; null: one cell of the finest brick everywhere.
+ActiveRegions selectActiveRegions(
+  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights = nullptr);
 
 /// Orders `boxes` by recursive median splits along the longest axis of their centres. Builders that
 /// halve the array of boxes as given (Mesa's) make a good hierarchy of it.

@@ -7,6 +7,8 @@
 #include "Vulkan/MarchPass.h"
 
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 namespace exabricks
 {
@@ -26,6 +28,9 @@ private:
 
 // Values fill several buffers, none longer than a device allows, each of whole bricks.
 constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
+
+// About as many pixels tell the error of a picture.
+constexpr double PilotPixels = 3000.0;
 }
 
 struct VolumeRenderer::Internals
@@ -51,6 +56,8 @@ struct VolumeRenderer::Internals
   bool VolumeReady = false;
   bool ColorsReady = false;
   bool OpacityReady = false;
+  bool Weighted = false;    // steps are, by what they err
+  double PilotScale = 1.0;  // found last
   bool SceneFailed = false; // the volume is too much for an acceleration structure
   std::string Fault;        // does not go away until something is set anew
 
@@ -205,7 +212,13 @@ struct VolumeRenderer::Internals
     }
     const Stopwatch watch;
     this->DropActive();
-    ActiveRegions active = selectActiveRegions(this->Subject, this->Transfer);
+    std::optional<StepWeights> weights;
+    if (this->Weighted)
+    {
+      weights.emplace(TransferTable(this->Transfer));
+    }
+    ActiveRegions active =
+      selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr);
     this->Figures.activeRegions = active.regions;
     this->Figures.activeBoxes = active.boxes.size();
     if (this->Figures.traversal == Traversal::RayQuery && !active.boxes.empty())
@@ -252,8 +265,48 @@ struct VolumeRenderer::Internals
     this->Figures.deviceBytes = bytes;
   }
 
-  void March(const View& view, std::vector<glm::vec4>& picture)
+  // Draws some of the view's pixels until it knows which steps err as much as they may.
+  double FindStepScale(const layout::Frame& frame, const View& view)
   {
+    const Stopwatch watch;
+    const int sparse =
+      std::max(1, static_cast<int>(std::sqrt(double(view.width) * view.height / PilotPixels)));
+    View pilot = view;
+    pilot.width = std::max(1, view.width / sparse);
+    pilot.height = std::max(1, view.height / sparse);
+    std::vector<float> depth;
+    if (view.depth)
+    {
+      for (int y = 0; y < pilot.height; ++y)
+      {
+        for (int x = 0; x < pilot.width; ++x)
+        {
+          depth.push_back(view.depth[(x * sparse + sparse / 2) +
+            static_cast<std::size_t>(view.width) * (y * sparse + sparse / 2)]);
+        }
+      }
+      pilot.depth = depth.data();
+    }
+    // Of the last picture: the camera may have moved a little.
+    this->PilotScale = findStepScale(view.errorTolerance, this->PilotScale,
+      [&](double stepScale, std::vector<glm::vec4>& picture)
+      {
+        pilot.stepScale = stepScale;
+        this->Pass->run(frame, pilot, picture);
+      });
+    this->Figures.pilotTime = watch.seconds();
+    return this->PilotScale;
+  }
+
+  void March(View view, std::vector<glm::vec4>& picture)
+  {
+    const bool weighted =
+      view.errorTolerance > 0.0 && view.reconstruction != Reconstruction::Nearest;
+    if (weighted != this->Weighted)
+    {
+      this->Weighted = weighted;
+      this->OpacityReady = false;
+    }
     this->Update();
     if (!this->Pass || this->Pass->traversal() != this->Figures.traversal ||
       this->Pass->reconstruction() != view.reconstruction)
@@ -277,6 +330,13 @@ struct VolumeRenderer::Internals
     frame.transferKnots = this->Knots.address();
     frame.integralUnit = this->IntegralUnit;
     frame.scene = this->Scene.address();
+    if (weighted)
+    {
+      frame.veiled = 1.0f / 3.0f; // as StepWeights has it
+      view.terminationOpacity = std::max(1.0 - 0.25 * view.errorTolerance, 0.5);
+      view.stepScale = this->FindStepScale(frame, view);
+    }
+    this->Figures.stepScale = view.stepScale;
     this->Pass->run(frame, view, picture);
     this->Figures.marchTime = watch.seconds();
   }
@@ -368,8 +428,8 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Fault.clear();
   this->Data->ColorsReady = false;
-  this->Data->OpacityReady =
-    this->Data->OpacityReady && transfer.showsTheSame(this->Data->Transfer);
+  this->Data->OpacityReady = this->Data->OpacityReady && !this->Data->Weighted &&
+    transfer.showsTheSame(this->Data->Transfer);
   this->Data->Transfer = transfer;
 }
 

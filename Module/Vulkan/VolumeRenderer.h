@@ -38,7 +38,10 @@ struct View
   const float* depth =
     nullptr; // [height][width], row 0 at the bottom, window depth in [0, 1], or null
   Reconstruction reconstruction = Reconstruction::Basis;
-  double stepScale = 1.0;           // step in finest cells of the region
+  double stepScale = 1.0; // step in cells of the region's finest brick
+  /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
+  /// and early termination with them; 0: stepScale and terminationOpacity alone count.
+  double errorTolerance = 0.0;
   double opacityUnitDistance = 1.0; // world length
   double terminationOpacity = 0.999;
 };
@@ -75,11 +78,13 @@ public:
     std::size_t activeRegions = 0;
     std::size_t activeBoxes = 0; // regions and parts of regions that the traversal is left with
     std::uint64_t deviceBytes = 0;
+    double stepScale = 1.0; // of the last picture
     // seconds, of the last time each was done
     double uploadTime = 0.0;  // bricks, regions, values
     double colorTime = 0.0;   // transfer function tables
     double opacityTime = 0.0; // active regions, acceleration structure or pruned tree
     double marchTime = 0.0;
+    double pilotTime = 0.0; // choosing steps for an error tolerance
   };
   const Statistics& statistics() const;
 

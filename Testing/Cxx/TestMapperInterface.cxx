@@ -103,6 +103,11 @@ int TestMapperInterface(int, char*[])
   checks.Equal(mapper->GetStepScale(), 0.001, "least step scale");
   mapper->SetStepScale(1e9);
   checks.Equal(mapper->GetStepScale(), 1000.0, "greatest step scale");
+  checks.Equal(mapper->GetErrorTolerance(), 0.0, "default error tolerance");
+  mapper->SetErrorTolerance(-1.0);
+  checks.Equal(mapper->GetErrorTolerance(), 0.0, "least error tolerance");
+  mapper->SetErrorTolerance(7.0);
+  checks.Equal(mapper->GetErrorTolerance(), 1.0, "greatest error tolerance");
   checks.Equal(mapper->GetEarlyTerminationOpacity(), 0.999, "default early termination");
   mapper->SetEarlyTerminationOpacity(2.0);
   checks.Equal(mapper->GetEarlyTerminationOpacity(), 1.0, "greatest early termination");
@@ -115,7 +120,7 @@ int TestMapperInterface(int, char*[])
 
   // Printing names every member.
   checks.Says(print(mapper),
-    { "Reconstruction: Completed", "StepScale: 1000", "Traversal: Automatic",
+    { "Reconstruction: Completed", "StepScale: 1000", "ErrorTolerance: 1", "Traversal: Automatic",
       "EarlyTerminationOpacity: 1", "VectorMode: Magnitude", "VectorComponent: 0", "Device: (best)",
       "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "DeviceMemory: " },
     "print of the mapper");

@@ -68,6 +68,7 @@ struct SceneRenderer
     view.depth = from.depth.empty() ? nullptr : from.depth.data();
     view.opacityUnitDistance = this->opacityUnitDistance;
     view.stepScale = this->stepScale;
+    view.errorTolerance = this->errorTolerance;
     view.terminationOpacity = this->terminationOpacity;
     view.reconstruction = this->reconstruction;
     return view;
@@ -103,6 +104,7 @@ struct SceneRenderer
   TransferFunction transfer;
   double opacityUnitDistance = 1.0;
   double stepScale = 0.25;
+  double errorTolerance = 0.0;
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
 

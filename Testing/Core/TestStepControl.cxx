@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps are longer where the transfer function varies less, and as long as the error allows.
+#include "Core/StepControl.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace exabricks;
+
+namespace
+{
+// Nothing below 0.4, a narrow spike at 0.5, a slow ramp from 0.6 on.
+StepWeights makeWeights()
+{
+  return StepWeights(TransferTable(TransferFunction(
+    { { 0.4, { 1, 1, 1, 0.0 } }, { 0.495, { 1, 1, 1, 0.0 } }, { 0.5, { 1, 1, 1, 0.9 } },
+      { 0.505, { 1, 1, 1, 0.0 } }, { 0.6, { 1, 1, 1, 0.0 } }, { 1.0, { 1, 1, 1, 0.1 } } })));
+}
+
+// Pixels that err by c * scale^order, some up and some down, around the truth.
+struct Model
+{
+  double error;
+  double order;
+  int drawn = 0;
+
+  void operator()(double scale, std::vector<glm::vec4>& picture)
+  {
+    ++this->drawn;
+    picture.assign(1000, glm::vec4(0.0f)); // half of them are background
+    for (int i = 0; i < 500; ++i)
+    {
+      const double off = (i % 2 ? 1.0 : -1.0) * this->error * std::pow(scale, this->order);
+      picture[i] = glm::vec4(static_cast<float>(0.5 + off));
+    }
+  }
+};
+}
+
+TEST(StepWeights, AreLongWhereNothingVaries)
+{
+  const StepWeights weights = makeWeights();
+  EXPECT_EQ(weights.step({ 0.1f, 0.3f }, 1.0), StepWeights::LongestStep);
+  EXPECT_EQ(weights.step({ 0.7f, 0.7f }, 1.0), StepWeights::LongestStep);
+  EXPECT_EQ(StepWeights(TransferTable(TransferFunction())).step({ 0.0f, 1.0f }, 1.0),
+    StepWeights::LongestStep);
+}
+
+TEST(StepWeights, AreOneOverAllVariationAndFallWithItsCubeRoot)
+{
+  const StepWeights weights = makeWeights();
+  EXPECT_NEAR(weights.step({ 0.0f, 1.0f }, 1.0), 1.0, 1e-6);
+  EXPECT_NEAR(weights.step({ 0.0f, 1.0f }, 8.0), 0.5, 1e-6); // cells of a coarser level
+  // The spike is in, however little of the range it takes.
+  const double spike = weights.step({ 0.49f, 0.51f }, 1.0);
+  const double ramp = weights.step({ 0.6f, 1.0f }, 1.0);
+  EXPECT_LT(spike, 1.05);
+  const double up = -std::log1p(-0.9);
+  EXPECT_NEAR(ramp, std::cbrt((2.0 * up - std::log1p(-0.1)) / -std::log1p(-0.1)), 0.01 * ramp);
+}
+
+TEST(StepControl, FindsTheStepOfAnError)
+{
+  for (const double order : { 1.0, 1.7, 2.0, 3.0 })
+  {
+    for (const double tolerance : { 0.02, 0.001 })
+    {
+      Model model{ 0.004, order };
+      const double scale = findStepScale(tolerance, 1.0, std::ref(model));
+      const double got = 0.004 * std::pow(scale, order);
+      EXPECT_LE(got, 2.0 * tolerance) << order;
+      EXPECT_GE(got, 0.5 * tolerance) << order;
+    }
+  }
+}
+
+TEST(StepControl, KeepsAStepThatDoes)
+{
+  Model model{ 0.004, 1.7 };
+  const double scale = findStepScale(0.001, 1.0, std::ref(model));
+  model.drawn = 0;
+  EXPECT_EQ(findStepScale(0.001, scale, std::ref(model)), scale);
+  EXPECT_EQ(model.drawn, 2); // as little as it takes to know
+}
+
+TEST(StepControl, EndsWhereNothingErrsOrNothingIsDrawn)
+{
+  Model exact{ 0.0, 2.0 };
+  EXPECT_EQ(findStepScale(0.001, 1.0, std::ref(exact)), GreatestStepScale);
+  const double scale = findStepScale(0.001, 1.0,
+    [](double, std::vector<glm::vec4>& picture) { picture.assign(10, glm::vec4(0.0f)); });
+  EXPECT_TRUE(std::isfinite(scale));
+}
