@@ -1,8 +1,9 @@
 # exabricks_compile_shader(<headers> <source> {<variant> <definition>}...)
 #
-# Compiles Shaders/<source> once for each variant, with <definition> set, into a header <variant>Spirv.h that holds
-# `const uint32_t <variant>Spirv[]`, and puts the list of headers into <headers>. They lie in EXABRICKS_SPIRV_DIR.
-# What the shader includes (Shaders/Layout.h, Shaders/*.glsl) is followed through the compiler's depfile.
+# Compiles <source> (in Shaders/, or with its full path) once for each variant, with <definition> set, into a header
+# <variant>Spirv.h that holds `const uint32_t <variant>Spirv[]`, and puts the list of headers into <headers>. They lie
+# in EXABRICKS_SPIRV_DIR. What the shader includes (Shaders/Layout.h, Shaders/*.glsl, what lies beside it) is followed
+# through the compiler's depfile.
 
 find_program(EXABRICKS_GLSLANG NAMES glslangValidator glslang REQUIRED
   HINTS "$ENV{VULKAN_SDK}/bin"
@@ -15,6 +16,10 @@ file(MAKE_DIRECTORY "${EXABRICKS_SPIRV_DIR}")
 
 function (exabricks_compile_shader headers source)
   set(outputs)
+  if (NOT IS_ABSOLUTE "${source}")
+    set(source "${EXABRICKS_SHADER_DIR}/${source}")
+  endif ()
+  get_filename_component(name "${source}" NAME)
   while (ARGN)
     list(POP_FRONT ARGN variant definition)
     set(output "${EXABRICKS_SPIRV_DIR}/${variant}Spirv.h")
@@ -23,10 +28,10 @@ function (exabricks_compile_shader headers source)
       COMMAND "${EXABRICKS_GLSLANG}" --quiet -V --target-env vulkan1.2
               "-D${definition}" "-I${EXABRICKS_SHADER_DIR}"
               --vn "${variant}Spirv" --depfile "${output}.d" -o "${output}"
-              "${EXABRICKS_SHADER_DIR}/${source}"
-      DEPENDS "${EXABRICKS_SHADER_DIR}/${source}"
+              "${source}"
+      DEPENDS "${source}"
       DEPFILE "${output}.d"
-      COMMENT "Compiling ${source} with ${definition}"
+      COMMENT "Compiling ${name} with ${definition}"
       VERBATIM)
     list(APPEND outputs "${output}")
   endwhile ()

@@ -126,6 +126,7 @@ struct Frame
   uint64_t depth;   // float[height][width], window depth in [0, 1]
   uint64_t picture; // vec4[height][width], premultiplied, row 0 at the bottom
   uint64_t scene;   // acceleration structure
+  uint64_t extra;   // uint[]: a MarchProgram's own data
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -142,7 +143,7 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 376, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -22,11 +22,9 @@ namespace
 bool XServerAnswers()
 {
 #ifdef EXABRICKS_RENDER_HAS_X11
-  Display* display = XOpenDisplay(nullptr);
-  if (display)
-  {
-    XCloseDisplay(display);
-  }
+  // Stays open: an X server whose last client leaves starts anew, and VTK aborts if it comes
+  // meanwhile.
+  static const Display* const display = XOpenDisplay(nullptr);
   return display != nullptr;
 #else
   const char* name = std::getenv("DISPLAY");

@@ -26,10 +26,21 @@ void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSi
     buffer = Buffer(device, bytes, residence, what);
   }
 }
+
+vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const MarchProgram* program)
+{
+  if (program && !program->spirv.empty())
+  {
+    return { {}, program->spirv };
+  }
+  return traversal == Traversal::RayQuery
+    ? vk::ShaderModuleCreateInfo({}, sizeof(MarchRayQuerySpirv), MarchRayQuerySpirv)
+    : vk::ShaderModuleCreateInfo({}, sizeof(MarchKdTreeSpirv), MarchKdTreeSpirv);
+}
 }
 
-MarchPass::MarchPass(
-  std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction)
+MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
+  Reconstruction reconstruction, const MarchProgram* program)
   : Owner(std::move(device))
   , How(traversal)
   , Field(reconstruction)
@@ -38,10 +49,7 @@ MarchPass::MarchPass(
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Band));
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
-  const bool rayQuery = traversal == Traversal::RayQuery;
-  const vk::raii::ShaderModule shader(this->Owner->handle(),
-    vk::ShaderModuleCreateInfo({}, rayQuery ? sizeof(MarchRayQuerySpirv) : sizeof(MarchKdTreeSpirv),
-      rayQuery ? MarchRayQuerySpirv : MarchKdTreeSpirv));
+  const vk::raii::ShaderModule shader(this->Owner->handle(), shaderFor(traversal, program));
   // Constants, so that the code of one reconstruction alone is compiled.
   const std::array<vk::Bool32, 2> values{ reconstruction == Reconstruction::Nearest,
     reconstruction == Reconstruction::Completed };

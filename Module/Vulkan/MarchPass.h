@@ -14,8 +14,9 @@ namespace vulkan
 class MarchPass
 {
 public:
-  /// `traversal`: RayQuery or KdTree.
-  MarchPass(std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction);
+  /// `traversal`: RayQuery or KdTree. `program`: may be null, or have no shader.
+  MarchPass(std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction,
+    const MarchProgram* program);
 
   Traversal traversal() const { return this->How; }
   Reconstruction reconstruction() const { return this->Field; }

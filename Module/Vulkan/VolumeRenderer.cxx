@@ -31,6 +31,15 @@ constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
 
 // About as many pixels tell the error of a picture.
 constexpr double PilotPixels = 3000.0;
+
+// Each region with bricks, as a whole.
+ActiveRegions selectAllRegions(Volume volume)
+{
+  ValueRanges whole;
+  whole.regions.assign(volume.tree->regions.size(), { 0.0f, 1.0f });
+  volume.ranges = &whole;
+  return selectActiveRegions(volume, TransferFunction({ { 0.0, glm::dvec4(1.0) } }));
+}
 }
 
 struct VolumeRenderer::Internals
@@ -38,6 +47,7 @@ struct VolumeRenderer::Internals
   // What the caller set.
   std::string Wanted;
   Traversal WantedTraversal = Traversal::Automatic;
+  std::shared_ptr<const MarchProgram> Program;
   Volume Subject;
   TransferFunction Transfer;
 
@@ -52,12 +62,14 @@ struct VolumeRenderer::Internals
   vulkan::Buffer Nodes;
   vulkan::Buffer ActiveBoxes;
   vulkan::AccelerationStructure Scene;
+  vulkan::Buffer Extra;
   std::unique_ptr<vulkan::MarchPass> Pass;
   bool VolumeReady = false;
   bool ColorsReady = false;
   bool OpacityReady = false;
-  bool Weighted = false;    // steps are, by what they err
-  double PilotScale = 1.0;  // found last
+  bool Weighted = false;   // steps are, by what they err
+  double PilotScale = 1.0; // found last
+  bool ProgramReady = false;
   bool SceneFailed = false; // the volume is too much for an acceleration structure
   std::string Fault;        // does not go away until something is set anew
 
@@ -81,13 +93,20 @@ struct VolumeRenderer::Internals
     this->Scene = {};
   }
 
+  void DropProgram()
+  {
+    this->ProgramReady = false;
+    this->Extra = {};
+    this->Pass.reset();
+  }
+
   void DropAll()
   {
     this->DropVolume();
+    this->DropProgram();
     this->ColorsReady = false;
     this->Bins = {};
     this->Knots = {};
-    this->Pass.reset();
     this->Device.reset();
   }
 
@@ -98,7 +117,7 @@ struct VolumeRenderer::Internals
       this->Device = vulkan::Device::acquire(this->Wanted);
       this->Figures.device = this->Device->name();
     }
-    Traversal traversal = this->WantedTraversal;
+    Traversal traversal = this->Program ? Traversal::KdTree : this->WantedTraversal;
     if (traversal == Traversal::RayQuery && !this->Device->hasRayQuery())
     {
       throw vulkan::Failure("expected a device with VK_KHR_ray_query for this traversal, " +
@@ -217,8 +236,9 @@ struct VolumeRenderer::Internals
     {
       weights.emplace(TransferTable(this->Transfer));
     }
-    ActiveRegions active =
-      selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr);
+    ActiveRegions active = this->Program && !this->Program->skipsSpace
+      ? selectAllRegions(this->Subject)
+      : selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr);
     this->Figures.activeRegions = active.regions;
     this->Figures.activeBoxes = active.boxes.size();
     if (this->Figures.traversal == Traversal::RayQuery && !active.boxes.empty())
@@ -247,9 +267,19 @@ struct VolumeRenderer::Internals
     this->Figures.opacityTime = watch.seconds();
   }
 
+  void UpdateProgram()
+  {
+    if (!this->ProgramReady && this->Program)
+    {
+      this->Extra = vulkan::makeBuffer(this->Device, this->Program->extra, "a program's own data");
+    }
+    this->ProgramReady = true;
+  }
+
   void Update()
   {
     this->UpdateDevice();
+    this->UpdateProgram();
     if (this->Subject.tree)
     {
       this->UpdateVolume();
@@ -257,7 +287,8 @@ struct VolumeRenderer::Internals
       this->UpdateActiveRegions();
     }
     vk::DeviceSize bytes = this->Bricks.bytes() + this->BrickLists.bytes() + this->Bins.bytes() +
-      this->Knots.bytes() + this->Nodes.bytes() + this->ActiveBoxes.bytes() + this->Scene.bytes();
+      this->Knots.bytes() + this->Nodes.bytes() + this->ActiveBoxes.bytes() + this->Scene.bytes() +
+      this->Extra.bytes();
     for (const vulkan::Buffer& values : this->Values)
     {
       bytes += values.bytes();
@@ -312,7 +343,7 @@ struct VolumeRenderer::Internals
       this->Pass->reconstruction() != view.reconstruction)
     {
       this->Pass = std::make_unique<vulkan::MarchPass>(
-        this->Device, this->Figures.traversal, view.reconstruction);
+        this->Device, this->Figures.traversal, view.reconstruction, this->Program.get());
     }
     if (!this->Subject.tree || this->Figures.activeBoxes == 0)
     {
@@ -330,11 +361,13 @@ struct VolumeRenderer::Internals
     frame.transferKnots = this->Knots.address();
     frame.integralUnit = this->IntegralUnit;
     frame.scene = this->Scene.address();
+    frame.extra = this->Extra.address();
     if (weighted)
     {
       frame.veiled = 1.0f / 3.0f; // as StepWeights has it
       view.terminationOpacity = std::max(1.0 - 0.25 * view.errorTolerance, 0.5);
-      view.stepScale = this->FindStepScale(frame, view);
+      // What another program draws may be no picture.
+      view.stepScale = this->Program ? view.stepScale : this->FindStepScale(frame, view);
     }
     this->Figures.stepScale = view.stepScale;
     this->Pass->run(frame, view, picture);
@@ -414,6 +447,17 @@ void VolumeRenderer::selectTraversal(Traversal traversal)
   {
     this->Data->Fault.clear();
     this->Data->WantedTraversal = traversal;
+  }
+}
+
+void VolumeRenderer::selectProgram(std::shared_ptr<const MarchProgram> program)
+{
+  if (program != this->Data->Program)
+  {
+    this->Data->Fault.clear();
+    this->Data->DropProgram();
+    this->Data->DropActive(); // a program may skip other regions
+    this->Data->Program = std::move(program);
   }
 }
 

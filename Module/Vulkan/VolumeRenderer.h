@@ -46,6 +46,17 @@ struct View
   double terminationOpacity = 0.999;
 };
 
+/// Another method of marching over the same buffers, for comparisons (Testing/Benchmarks).
+struct MarchProgram
+{
+  /// Shader with the interface of Shaders/March.comp, for the k-d tree traversal; none: our own.
+  std::vector<std::uint32_t> spirv;
+  /// False: regions that the transfer function does not show are marched too.
+  bool skipsSpace = true;
+  /// The method's own data about the volume, at the device address Frame.extra.
+  std::vector<std::uint32_t> extra;
+};
+
 class VolumeRenderer
 {
 public:
@@ -58,6 +69,8 @@ public:
   /// the best. A change frees everything on the device used before.
   void selectDevice(const std::string& wanted);
   void selectTraversal(Traversal traversal);
+  /// A program marches by the k-d tree, whatever the traversal wanted; null: our own method.
+  void selectProgram(std::shared_ptr<const MarchProgram> program);
 
   void setVolume(const Volume& volume);
   /// Costs an upload of colours; and when it shows other values than before, a new selection of the

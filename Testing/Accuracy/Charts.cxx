@@ -12,7 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPen.h"
-#include "vtkPlotLine.h"
+#include "vtkPlotPoints.h"
 #include "vtkRenderWindow.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -45,7 +45,10 @@ struct Look
 const Look looks[] = { { { 0, 0, 0 }, vtkPlotPoints::CIRCLE },
   { { 213, 94, 0 }, vtkPlotPoints::SQUARE }, { { 0, 114, 178 }, vtkPlotPoints::DIAMOND },
   { { 230, 159, 0 }, vtkPlotPoints::CROSS }, { { 0, 158, 115 }, vtkPlotPoints::PLUS },
-  { { 86, 180, 233 }, vtkPlotPoints::CIRCLE }, { { 204, 121, 167 }, vtkPlotPoints::SQUARE } };
+  { { 86, 180, 233 }, vtkPlotPoints::CIRCLE }, { { 204, 121, 167 }, vtkPlotPoints::SQUARE },
+  { { 120, 60, 20 }, vtkPlotPoints::DIAMOND }, { { 110, 110, 110 }, vtkPlotPoints::CROSS } };
+
+const int alone[] = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE, vtkPlotPoints::DIAMOND };
 
 const int dashes[] = { vtkPen::DASH_LINE, vtkPen::DASH_DOT_LINE, vtkPen::DASH_DOT_DOT_LINE,
   vtkPen::SOLID_LINE };
@@ -80,23 +83,34 @@ std::string label(double value)
 {
   char text[32];
   std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
+  std::string result = text;
+  // 1e5 and 1e-5, where C writes 1e+05 and 1e-05
+  const std::size_t e = result.find('e');
+  if (e != std::string::npos)
+  {
+    const bool negative = result[e + 1] == '-';
+    const std::size_t digits = result.find_first_not_of("+-0", e + 1);
+    result = result.substr(0, e + 1) + (negative ? "-" : "") + result.substr(digits);
+  }
+  return result;
 }
 
 using Ticks = std::vector<std::pair<double, std::string>>;
 
-// 1, 2, 5 in each decade, or of long axes 1 alone.
+// 1, 2, 5 in each decade; of long axes 1 alone, of short ones all digits.
 Ticks logarithmicTicks(const Extent& extent)
 {
+  const double decades = extent.max - extent.min;
+  const std::vector<int> digits = decades > 2.0 ? std::vector<int>{ 1 }
+    : decades > 0.9                             ? std::vector<int>{ 1, 2, 5 }
+                                                : std::vector<int>{ 1, 2, 3, 4, 5, 6, 7, 8, 9 };
   Ticks ticks;
-  const bool isLong = extent.max - extent.min > 2.0;
   for (int decade = static_cast<int>(std::floor(extent.min)); decade <= extent.max; ++decade)
   {
-    for (const int digit : { 1, 2, 5 })
+    for (const int digit : digits)
     {
       const double value = digit * std::pow(10.0, decade);
-      if ((digit == 1 || !isLong) && std::log10(value) >= extent.min - 1e-9 &&
-        std::log10(value) <= extent.max + 1e-9)
+      if (std::log10(value) >= extent.min - 1e-9 && std::log10(value) <= extent.max + 1e-9)
       {
         ticks.emplace_back(value, label(value));
       }
@@ -154,7 +168,9 @@ vtkNew<vtkTable> makeTable(const Chart& chart, const Series& series)
   vtkNew<vtkDoubleArray> x;
   vtkNew<vtkDoubleArray> y;
   x->SetName("x");
-  y->SetName(series.name.c_str());
+  // Broad lines stick out of their place in the legend.
+  const bool isBroad = series.style == Series::Style::Front;
+  y->SetName(((isBroad ? "  " : "") + series.name).c_str());
   for (const auto& point : series.points)
   {
     if (canBeDrawn(chart, point))
@@ -193,6 +209,30 @@ void addOrderGuides(Chart& chart)
   chart.series.push_back(orderGuide(lowest, 2.0, 0.6));
 }
 
+Series paretoFront(const std::vector<Series>& series, bool largerIsBetter)
+{
+  Series front;
+  front.name = "Pareto front";
+  front.style = Series::Style::Front;
+  std::vector<std::pair<double, double>> points;
+  for (const Series& one : series)
+  {
+    points.insert(points.end(), one.points.begin(), one.points.end());
+  }
+  const auto better = [=](double a, double b) { return largerIsBetter ? a > b : a < b; };
+  std::sort(points.begin(), points.end(),
+    [&](const auto& a, const auto& b)
+    { return a.first != b.first ? a.first < b.first : better(a.second, b.second); });
+  for (const auto& point : points)
+  {
+    if (front.points.empty() || better(point.second, front.points.back().second))
+    {
+      front.points.push_back(point);
+    }
+  }
+  return front;
+}
+
 bool drawChart(const Chart& chart, const std::string& file)
 {
   vtkNew<vtkContextView> view;
@@ -218,7 +258,9 @@ bool drawChart(const Chart& chart, const std::string& file)
     {
       continue;
     }
-    auto* line = vtkPlotLine::SafeDownCast(xy->AddPlot(vtkChart::LINE));
+    // VTK refuses to draw a line through one point.
+    const int kind = table->GetNumberOfRows() > 1 ? vtkChart::LINE : vtkChart::POINTS;
+    auto* line = vtkPlotPoints::SafeDownCast(xy->AddPlot(kind));
     line->SetInputData(table, 0, 1);
     if (series.style == Series::Style::Guide)
     {
@@ -227,12 +269,21 @@ bool drawChart(const Chart& chart, const std::string& file)
       line->GetPen()->SetLineType(dashes[guides++ % std::size(dashes)]);
       continue;
     }
+    if (series.style == Series::Style::Front)
+    {
+      line->SetColor(255, 224, 130, 255);
+      line->SetWidth(16.0f);
+      line->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+      line->SetMarkerSize(26.0f);
+      continue;
+    }
     const Look& look = looks[next % std::size(looks)];
     line->SetColor(look.color[0], look.color[1], look.color[2], 255);
     line->SetWidth(3.0f);
     if (series.style == Series::Style::Measured)
     {
-      line->SetMarkerStyle(look.marker);
+      // Alone, a cross is hard to see.
+      line->SetMarkerStyle(kind == vtkChart::LINE ? look.marker : alone[next % std::size(alone)]);
       line->SetMarkerSize(14.0f);
       // Colours begin anew: dashed now.
       line->GetPen()->SetLineType(next < std::size(looks) ? vtkPen::SOLID_LINE : vtkPen::DASH_LINE);

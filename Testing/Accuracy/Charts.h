@@ -26,10 +26,11 @@ struct Series
   {
     Measured, // line and markers
     Curve,    // line, solid or dashed
+    Front,    // broad and pale, under all others: the best there is
     Guide     // thin, dashed and grey: what theory says
   };
   std::string name;
-  std::vector<std::pair<double, double>> points; // (x, y), x ascending
+  std::vector<std::pair<double, double>> points; // (x, y), in the order they are joined
   Style style = Style::Measured;
 };
 
@@ -47,6 +48,10 @@ struct Chart
 Series orderGuide(const Series& beside, double order, double factor);
 /// Guides of order 1 above and of order 2 below all that was measured.
 void addOrderGuides(Chart& chart);
+
+/// The points of all series that no other one beats in both: the smaller x is better, and the
+/// smaller y, or the larger.
+Series paretoFront(const std::vector<Series>& series, bool largerIsBetter);
 
 /// Draws it; values that are not positive are left out on logarithmic axes. Whether the file was
 /// written.

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Changes.h"
 
-#include "Adapters/TransferFunctionInput.h"
+#include "DirectMethods.h"
+#include "Timing.h"
 
-#include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
-#include "vtkVolumeProperty.h"
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace exabricks
 {
@@ -16,68 +13,70 @@ namespace benchmarks
 {
 namespace
 {
-vtkSmartPointer<vtkVolumeProperty> makeProperty(
-  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity)
+using Points = std::vector<TransferFunction::Point>;
+
+struct Change
 {
-  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetColor(colors);
-  property->SetScalarOpacity(opacity);
-  return property;
+  std::string what;
+  std::string traversal;
+  Costs total; // from the transfer function to tables on the device; of the camera: a frame
+  std::vector<double> color;   // of the tables, where they were made anew
+  std::vector<double> opacity; // of active regions and their tree, likewise
+  std::vector<double> march;
+  // Never done anew: the renderer's own times of them stayed as they were.
+  bool keptVolume = true;
+  bool keptColors = true;
+  bool keptOpacity = true;
+};
+
+TransferFunction swapRedAndBlue(Points points)
+{
+  for (TransferFunction::Point& point : points)
+  {
+    std::swap(point.color.r, point.color.b);
+  }
+  return TransferFunction(points);
 }
 
-vtkSmartPointer<vtkColorTransferFunction> swapRedAndBlue(vtkColorTransferFunction* from)
+TransferFunction scaleOpacity(Points points, double factor)
 {
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  double node[6];
-  for (int i = 0; i < from->GetSize(); ++i)
+  for (TransferFunction::Point& point : points)
   {
-    from->GetNodeValue(i, node);
-    colors->AddRGBPoint(node[0], node[3], node[2], node[1], node[4], node[5]);
+    point.color.a *= factor;
   }
-  return colors;
-}
-
-vtkSmartPointer<vtkPiecewiseFunction> scale(vtkPiecewiseFunction* from, double factor)
-{
-  auto opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  double node[4];
-  for (int i = 0; i < from->GetSize(); ++i)
-  {
-    from->GetNodeValue(i, node);
-    opacity->AddPoint(node[0], factor * node[1], node[2], node[3]);
-  }
-  return opacity;
+  return TransferFunction(points);
 }
 
 // Clear below the middle of the values that show.
-vtkSmartPointer<vtkPiecewiseFunction> cutOff(vtkPiecewiseFunction* from)
+TransferFunction cutOff(const TransferFunction& from)
 {
-  auto opacity = scale(from, 1.0);
-  double shown[2] = { from->GetRange()[1], from->GetRange()[0] };
-  double node[4];
-  for (int i = 0; i < from->GetSize(); ++i)
+  Range shown;
+  for (const TransferFunction::Point& point : from.points())
   {
-    from->GetNodeValue(i, node);
-    if (node[1] > 0.0)
+    if (point.color.a > 0.0)
     {
-      shown[0] = std::min(shown[0], node[0]);
-      shown[1] = std::max(shown[1], node[0]);
+      shown.add(point.value);
     }
   }
-  const double middle = 0.5 * (shown[0] + shown[1]);
-  const double height = from->GetValue(middle);
-  opacity->AddSegment(from->GetRange()[0], 0.0, middle, 0.0); // takes out the points between
-  opacity->AddPoint(middle + 1e-6 * (shown[1] - shown[0]), height);
-  return opacity;
+  const double middle = 0.5 * (shown.min + shown.max);
+  const glm::dvec4 at = from.evaluate(middle);
+  Points points{ { middle, glm::dvec4(glm::dvec3(at), 0.0) }, { middle, at } };
+  for (const TransferFunction::Point& point : from.points())
+  {
+    if (point.value > middle)
+    {
+      points.push_back(point);
+    }
+  }
+  return TransferFunction(points);
 }
 
 struct Traverser
 {
-  DirectRenderer& direct;
+  DirectMethod& direct;
   const char* name;
 };
 
-// Counts as kept what the renderer did not time anew.
 void look(
   Change& change, const VolumeRenderer::Statistics& before, const VolumeRenderer::Statistics& after)
 {
@@ -97,67 +96,79 @@ void look(
     change.march.push_back(after.marchTime);
   }
 }
+
+template <typename Work>
+void measure(Change& change, DirectMethod& direct, const Work& work)
+{
+  const auto before = direct.statistics();
+  change.total.measure(work);
+  look(change, before, direct.statistics());
 }
 
-double meanOpacity(const reference::Image& image)
+void add(const Scene& scene, const Change& change, accuracy::CsvTable& table)
 {
-  double sum = 0.0;
-  for (const glm::dvec4& pixel : image.pixels)
+  const auto ms = [](const std::vector<double>& seconds)
+  { return accuracy::csvNumber(1e3 * median(seconds)); };
+  const std::string kept = std::string(change.keptVolume ? "volume " : "") +
+    (change.keptColors ? "colours " : "") + (change.keptOpacity ? "opacity" : "");
+  table.add({ scene.name(), change.what, change.traversal, ms(change.total.wall), ms(change.color),
+    ms(change.opacity), ms(change.march), kept });
+}
+}
+
+void measureChanges(const Scene& scene, const Size& size, int rounds, accuracy::CsvTable& table)
+{
+  if (table.columns().empty())
   {
-    sum += pixel.a;
+    table = accuracy::CsvTable({ "scene", "change", "traversal", "total_ms", "colour_ms",
+      "opacity_ms", "march_ms", "kept" });
   }
-  return sum / static_cast<double>(image.pixels.size());
-}
-
-std::vector<Change> measureChanges(
-  const Subject& subject, const Request& request, DirectRenderer& kdTree, DirectRenderer& rayQuery)
-{
-  const Range& range = subject.contents().Scalars.range;
-  vtkColorTransferFunction* colors = subject.property()->GetRGBTransferFunction();
-  vtkPiecewiseFunction* opacity = subject.property()->GetScalarOpacity();
-  const auto original = makeProperty(colors, opacity);
-  const std::vector<std::pair<std::string, vtkSmartPointer<vtkVolumeProperty>>> others{
-    { "colours", makeProperty(swapRedAndBlue(colors), opacity) },
-    { "height of opacity", makeProperty(colors, scale(opacity, 0.9)) },
-    { "values that show", makeProperty(colors, cutOff(opacity)) }
-  };
+  DirectMethod kdTree(scene, { Reconstruction::Basis, Traversal::KdTree });
+  DirectMethod rayQuery(scene, { Reconstruction::Basis, Traversal::RayQuery });
   const Traverser traversers[] = { { kdTree, "k-d tree" }, { rayQuery, "ray query" } };
-  std::vector<Change> changes;
+  for (const Traverser& traverser : traversers)
+  {
+    traverser.direct.setUp(DefaultStepScale);
+    traverser.direct.draw(size, DefaultStepScale);
+  }
+
+  const Points& points = scene.transfer().points();
+  const std::pair<const char*, TransferFunction> others[] = { { "colours", swapRedAndBlue(points) },
+    { "height of opacity", scaleOpacity(points, 0.9) },
+    { "values that show", cutOff(scene.transfer()) } };
   for (const auto& other : others)
   {
-    std::vector<Change> pair{ { other.first, traversers[0].name },
-      { other.first, traversers[1].name } };
-    for (int i = 0; i < 2 * request.rounds; ++i)
+    for (const Traverser& traverser : traversers)
     {
-      vtkVolumeProperty* property = i % 2 == 0 ? other.second : original;
-      for (int t = 0; t < 2; ++t)
+      Change change;
+      change.what = other.first;
+      change.traversal = traverser.name;
+      for (int i = 0; i < 2 * rounds; ++i)
       {
-        DirectRenderer& direct = traversers[t].direct;
-        const auto before = direct.renderer.statistics();
-        pair[t].total.measure(
-          [&] { direct.setTransferFunction(makeTransferFunction(property, range)); });
-        look(pair[t], before, direct.renderer.statistics());
+        const TransferFunction& next = i % 2 == 0 ? other.second : scene.transfer();
+        measure(change, traverser.direct, [&] { traverser.direct.setTransferFunction(next); });
       }
+      add(scene, change, table);
     }
-    changes.insert(changes.end(), pair.begin(), pair.end());
   }
 
-  std::vector<Change> pair{ { "camera", traversers[0].name }, { "camera", traversers[1].name } };
-  vtkCamera* camera = subject.renderer()->GetActiveCamera();
-  for (int i = 0; i < 2 * request.rounds; ++i)
+  const View view = scene.view(size, Reconstruction::Basis);
+  View turned = view;
+  const glm::dmat4 roll =
+    glm::rotate(glm::dmat4(1.0), glm::radians(5.0), glm::dvec3(0.0, 0.0, 1.0));
+  turned.ndcToHalfCells = view.ndcToHalfCells * roll;
+  turned.ndcToWorld = view.ndcToWorld * roll;
+  for (const Traverser& traverser : traversers)
   {
-    camera->Azimuth(i % 2 == 0 ? 5.0 : -5.0);
-    const View view = subject.makeView(request.draw.Size, 1.0);
-    for (int t = 0; t < 2; ++t)
+    Change change;
+    change.what = "camera";
+    change.traversal = traverser.name;
+    for (int i = 0; i < 2 * rounds; ++i)
     {
-      DirectRenderer& direct = traversers[t].direct;
-      const auto before = direct.renderer.statistics();
-      pair[t].total.measure([&] { direct.render(view); });
-      look(pair[t], before, direct.renderer.statistics());
+      measure(change, traverser.direct, [&] { traverser.direct.draw(i % 2 == 0 ? turned : view); });
     }
+    add(scene, change, table);
   }
-  changes.insert(changes.end(), pair.begin(), pair.end());
-  return changes;
 }
 }
 }

@@ -3,39 +3,19 @@
 #ifndef ExaBricksBenchmarksChanges_h
 #define ExaBricksBenchmarksChanges_h
 
-#include "Methods.h"
+#include "Accuracy/CsvTable.h"
+#include "Scene.h"
 
 namespace exabricks
 {
 namespace benchmarks
 {
-struct Change
-{
-  Change(const std::string& changed, const std::string& by)
-    : what(changed)
-    , traversal(by)
-  {
-  }
-
-  std::string what;
-  std::string traversal;
-  Costs total;               // from VTK's functions to tables on the device; of the camera: a frame
-  std::vector<double> color; // of the tables, where they were made anew
-  std::vector<double> opacity; // of active regions and their tree, likewise
-  std::vector<double> march;
-  // Never done anew: the renderer's own times of them stayed as they were.
-  bool keptVolume = true;
-  bool keptColors = true;
-  bool keptOpacity = true;
-};
-
-/// Each change is made to and fro, by both traversals in turn:
+/// Each change is made to and fro, so many times, by both traversals in turn:
 ///   colours (red and blue change places); opacities scaled, which show the same values; opacities
-///   cut off below the middle of the values that show; the camera turned by 5 degrees.
-std::vector<Change> measureChanges(
-  const Subject& subject, const Request& request, DirectRenderer& kdTree, DirectRenderer& rayQuery);
-
-double meanOpacity(const reference::Image& image);
+///   cut off below the middle of the values that show; the camera rolled by 5 degrees.
+/// Appends a line for each to `table`: medians of all, of making the colour tables and of choosing
+/// the active regions (where they were made anew), and of the march; and what was kept.
+void measureChanges(const Scene& scene, const Size& size, int rounds, accuracy::CsvTable& table);
 }
 }
 

@@ -24,9 +24,14 @@ struct SceneRenderer
     , scalars(gatherScalars(s.hierarchy, structure.bricks, s.cells))
     , ranges(findValueRanges(structure.tree, structure.bricks, s.hierarchy.cellWidth, scalars))
   {
-    this->renderer.setVolume({ &this->structure.tree, &this->structure.bricks,
-      &this->structure.hierarchy.cellWidth, &this->scalars, &this->ranges });
+    this->renderer.setVolume(this->volume());
     this->setTransfer(layeredTransfer());
+  }
+
+  Volume volume() const
+  {
+    return { &this->structure.tree, &this->structure.bricks, &this->structure.hierarchy.cellWidth,
+      &this->scalars, &this->ranges };
   }
 
   /// Draws what is completed across levels from here on.

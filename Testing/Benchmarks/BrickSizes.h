@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ExaBricksBenchmarksBrickSizes_h
+#define ExaBricksBenchmarksBrickSizes_h
+
+#include "Core/Hierarchy.h"
+
+#include <string>
+
+namespace exabricks
+{
+namespace benchmarks
+{
+/// Prints a Markdown table: time and memory of bricks and regions for several greatest sizes of
+/// bricks and lengths of lists. It is what the defaults were chosen by.
+void printBrickSizes(const std::string& name, const Hierarchy& hierarchy, int runs);
+}
+}
+
+#endif

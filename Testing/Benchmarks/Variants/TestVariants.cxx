@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The other methods draw the same picture as ours where they claim to, and converge to it, or not,
+// as what was taken away from them has it.
+#include "CellLocation/BrickTree.h"
+#include "Variants.h"
+#include "Vulkan/SceneRenderer.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <stdexcept>
+
+using namespace exabricks;
+using namespace exabricks::benchmarks;
+
+namespace
+{
+/// The picture of a variant.
+reference::Image draw(SceneRenderer& subject, const std::string& name, const reference::View& view)
+{
+  subject.renderer.selectProgram(findVariant(name).makeProgram(subject.volume()));
+  return subject.render(view);
+}
+
+std::vector<reference::Scene> scenes()
+{
+  std::vector<reference::Scene> all = reference::allScenes();
+  for (std::uint32_t seed = 0; seed < 5; ++seed)
+  {
+    all.push_back(reference::randomScene(seed));
+  }
+  return all;
+}
+
+/// PSNR in dB of a variant's picture against another's.
+double compare(SceneRenderer& subject, const std::string& name, const std::string& truth)
+{
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image expected = draw(subject, truth, view);
+  EXPECT_GT(coverage(expected), 0.02) << subject.scene.name;
+  return reference::psnr(draw(subject, name, view), expected);
+}
+}
+
+TEST(Variants, CellLocationDrawsTheSame)
+{
+  for (const reference::Scene& scene : scenes())
+  {
+    SceneRenderer subject(scene);
+    const double quality = compare(subject, "cell location", "ours");
+    std::cout << scene.name << ": " << quality << " dB\n";
+    EXPECT_GT(quality, 100.0) << scene.name;
+  }
+}
+
+TEST(Variants, CellLocationNeedsWholeSupports)
+{
+  // A tree over the bricks without the half cells around them misses bricks: it has to show.
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image whole = draw(subject, "cell location", view);
+  auto program =
+    std::make_shared<MarchProgram>(*findVariant("cell location").makeProgram(subject.volume()));
+  const std::vector<layout::BrickTreeNode> cells = buildBrickTree(subject.structure.bricks,
+    subject.structure.hierarchy.cellWidth, subject.structure.tree.bounds.lo, BrickExtent::Cells);
+  ASSERT_EQ(cells.size() * sizeof(cells[0]), program->extra.size() * sizeof(program->extra[0]));
+  std::copy_n(reinterpret_cast<const std::uint32_t*>(cells.data()), program->extra.size(),
+    program->extra.begin());
+  subject.renderer.selectProgram(program);
+  EXPECT_LT(reference::psnr(subject.render(view), whole), 80.0);
+}
+
+TEST(Variants, NaiveWalkDrawsTheSameAsFinestSteps)
+{
+  for (const reference::Scene& scene : scenes())
+  {
+    SceneRenderer subject(scene);
+    const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+    // Intervals have to begin at the same places: no region is cut.
+    auto finest =
+      std::make_shared<MarchProgram>(*findVariant("finest steps").makeProgram(subject.volume()));
+    finest->skipsSpace = false;
+    subject.renderer.selectProgram(finest);
+    const reference::Image expected = subject.render(view);
+    EXPECT_GT(coverage(expected), 0.02) << scene.name;
+    const double quality = reference::psnr(draw(subject, "naive walk", view), expected);
+    std::cout << scene.name << ": " << quality << " dB\n";
+    EXPECT_GT(quality, 100.0) << scene.name;
+  }
+  // Which is closer than ours with other steps.
+  SceneRenderer subject(reference::twoLevels());
+  EXPECT_LT(compare(subject, "naive walk", "ours"), 90.0);
+}
+
+TEST(Variants, FinestStepsDrawAboutTheSameAsOurs)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const double quality = compare(subject, "finest steps", "ours");
+  EXPECT_GT(quality, 40.0);
+  EXPECT_LT(quality, 90.0);
+}
+
+TEST(Variants, NoSkippingMarchesMoreRegionsToTheSamePicture)
+{
+  SceneRenderer subject(reference::mixedRatios());
+  subject.reconstruction = Reconstruction::Nearest; // exact, wherever intervals begin
+  EXPECT_GT(compare(subject, "no skipping", "ours"), 100.0);
+  const std::size_t all = subject.renderer.statistics().activeRegions;
+  std::size_t withBricks = 0;
+  for (const layout::Region& region : subject.structure.tree.regions)
+  {
+    withBricks += region.brickCount > 0;
+  }
+  EXPECT_EQ(all, withBricks);
+  EXPECT_EQ(subject.renderer.statistics().activeBoxes, withBricks); // each as a whole
+  subject.renderer.selectProgram(nullptr);
+  EXPECT_EQ(subject.renderer.prepare(), "");
+  EXPECT_LT(subject.renderer.statistics().activeRegions, all);
+}
+
+TEST(Variants, ConvergeAsTheirRulesSay)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image truth = subject.renderOracle(view);
+  const auto quality = [&](const std::string& name, double stepScale)
+  {
+    subject.stepScale = stepScale;
+    const double decibel = reference::psnr(draw(subject, name, view), truth);
+    std::cout << name << ", step " << stepScale << ": " << decibel << " dB\n";
+    return decibel;
+  };
+  // Each halving of the step gains 12 dB by second order, 6 dB by first.
+  const double ours = quality("ours", 0.25);
+  const double midpoint = quality("midpoint", 0.25);
+  const double leftEnd = quality("left end", 0.25);
+  EXPECT_GT(ours, midpoint);
+  EXPECT_GT(midpoint, leftEnd);
+  EXPECT_GT(quality("midpoint", 0.0625) - midpoint, 18.0);
+  const double gain = quality("left end", 0.0625) - leftEnd;
+  EXPECT_GT(gain, 9.0);
+  EXPECT_LT(gain, 18.0);
+  EXPECT_GT(quality("unfitted steps", 0.0625) - quality("unfitted steps", 0.25), 18.0);
+  EXPECT_GT(quality("finest steps", 0.0625) - quality("finest steps", 0.25), 18.0);
+  // Finer steps make it more opaque.
+  EXPECT_LT(quality("no opacity correction", 0.0625), quality("no opacity correction", 1.0));
+}
+
+TEST(Variants, CountsAreThoseOfTheMarch)
+{
+  SceneRenderer subject(reference::uniform()); // one region, the whole tree
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  int hits = 0;
+  for (const glm::dvec4& count : subject.render(view).pixels)
+  {
+    const bool hit = count.g > 0.0;
+    hits += hit;
+    EXPECT_EQ(count.b, hit ? 1.0 : 0.0);
+    EXPECT_EQ(count.a, 0.0);
+    // A first point, and two for each interval; one where a single one does for the region.
+    EXPECT_TRUE(count.r == (hit ? 2.0 * count.g + 1.0 : 0.0) || (count.g == 1.0 && count.r == 2.0))
+      << count.r << " samples, " << count.g << " intervals";
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(Variants, CountsOfRegionsDoNotDependOnTheStep)
+{
+  SceneRenderer subject(reference::twoLevels());
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  glm::dvec4 sums[2] = { glm::dvec4(0.0), glm::dvec4(0.0) };
+  for (int i = 0; i < 2; ++i)
+  {
+    subject.stepScale = i == 0 ? 0.125 : 0.0625;
+    for (const glm::dvec4& count : subject.render(view).pixels)
+    {
+      sums[i] += count;
+    }
+  }
+  EXPECT_GT(sums[0].b, 0.0);
+  EXPECT_GT(sums[0].a, sums[0].b);
+  EXPECT_EQ(sums[0].b, sums[1].b);
+  EXPECT_EQ(sums[0].a, sums[1].a);
+  EXPECT_NEAR(sums[1].r / sums[0].r, 2.0, 0.3);
+}
+
+TEST(Variants, CountsOfCompletedToo)
+{
+  SceneRenderer subject(reference::twoLevels());
+  subject.complete();
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  const reference::Image counts = subject.render(subject.look({ -0.6, 0.5, -0.4 }, 30.0, 32));
+  for (const glm::dvec4& count : counts.pixels)
+  {
+    EXPECT_EQ(count.g > 0.0, count.r > 0.0);
+    EXPECT_GE(count.g, count.b);
+  }
+  EXPECT_GT(coverage(counts), 1.0);
+}
+
+TEST(Variants, ProgramsMarchByTheKdTreeAndOursComesBack)
+{
+  SceneRenderer subject(reference::twoLevels());
+  subject.renderer.selectTraversal(Traversal::RayQuery);
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image ours = subject.render(view);
+  ASSERT_EQ(subject.renderer.statistics().traversal, Traversal::RayQuery);
+  EXPECT_LT(reference::psnr(draw(subject, "left end", view), ours), 90.0);
+  EXPECT_EQ(subject.renderer.statistics().traversal, Traversal::KdTree);
+  EXPECT_EQ(largestDifference(draw(subject, "ours", view), ours), 0.0);
+  EXPECT_EQ(subject.renderer.statistics().traversal, Traversal::RayQuery);
+}
+
+TEST(Variants, AreFoundByName)
+{
+  for (const Variant& variant : variants())
+  {
+    EXPECT_EQ(&findVariant(variant.name), &variant);
+  }
+  EXPECT_THROW(findVariant("none"), std::out_of_range);
+}
