@@ -103,6 +103,7 @@ int vtkExaBricksSceneSource::RequestData(
 {
   vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(outputVector, 0);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, 1);
+  this->Internals->Made = {};
   if (this->NumberOfLeafCells < this->GetLeastNumberOfLeafCells())
   {
     vtkWarningMacro("Expected at least "
@@ -153,6 +154,10 @@ void vtkExaBricksSceneSource::InitializeCamera(vtkCamera* camera)
     return;
   }
   this->Update();
+  if (this->Internals->Made.range.empty())
+  {
+    return; // why has been said
+  }
   const exabricks::StandInCamera& own = this->Internals->Made.camera;
   camera->SetParallelProjection(0);
   camera->SetPosition(own.position.x, own.position.y, own.position.z);
@@ -170,6 +175,10 @@ void vtkExaBricksSceneSource::InitializeProperty(vtkVolumeProperty* property)
   }
   this->Update();
   const StandIn& made = this->Internals->Made;
+  if (made.range.empty())
+  {
+    return; // why has been said
+  }
   vtkNew<vtkColorTransferFunction> color;
   vtkNew<vtkPiecewiseFunction> opacity;
   for (const auto& point : made.transfer.points())

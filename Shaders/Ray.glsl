@@ -43,7 +43,7 @@ bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
   const dvec3 origin = a.xyz / a.w;
   const dvec3 path = b.xyz / b.w - origin;
   const double pathLength = length(path);
-  if (!(pathLength > 0.0LF))
+  if (!(pathLength > 0.0LF) || isinf(pathLength))
   {
     return false;
   }

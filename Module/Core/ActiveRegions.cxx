@@ -17,11 +17,13 @@ int longestAxis(const glm::ivec3& size)
 class Selection
 {
 public:
-  Selection(const Volume& volume, const TransferFunction& transfer, const StepWeights* weights)
+  Selection(
+    const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
     : Tree(*volume.tree)
     , Subject(volume)
     , Transfer(transfer)
     , Weights(weights)
+    , WantsBoxes(boxes)
   {
     if (!this->Tree.nodes.empty())
     {
@@ -120,8 +122,7 @@ private:
     }
     if (all)
     {
-      return this->Show(region, region.lo + begin * grid.side,
-        glm::min(region.lo + end * grid.side, region.hi), range);
+      return this->Show(region, grid.corner(region, begin), grid.corner(region, end), range);
     }
     const auto join = [&](int axis, int middle, bool lower, bool upper)
     {
@@ -129,7 +130,7 @@ private:
       glm::ivec3 upperBegin = begin;
       lowerEnd[axis] = upperBegin[axis] = middle;
       return this->Join(
-        axis, region.lo[axis] + middle * grid.side,
+        axis, grid.corner(region, glm::ivec3(middle))[axis],
         [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Nothing; },
         [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Nothing; });
     };
@@ -165,7 +166,11 @@ private:
     const float step = absent ? -length : length;
     layout::KdNode leaf{ 0, 4 * region.firstBrick + layout::KD_LEAF };
     std::memcpy(&leaf.plane, &step, sizeof step);
-    this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
+    ++this->Result.boxCount;
+    if (this->WantsBoxes)
+    {
+      this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
+    }
     return leaf;
   }
 
@@ -173,15 +178,16 @@ private:
   const Volume& Subject;
   const TransferFunction& Transfer;
   const StepWeights* Weights;
+  const bool WantsBoxes;
   ActiveRegions Result;
   std::size_t NextGrid = 0;
 };
 }
 
 ActiveRegions selectActiveRegions(
-  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights)
+  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
 {
-  return Selection(volume, transfer, weights).take();
+  return Selection(volume, transfer, weights, boxes).take();
 }
 
 void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)

@@ -12,15 +12,17 @@ namespace exabricks
 /// A region is active as a whole, or cut between macrocells where it shows nothing in some.
 struct ActiveRegions
 {
-  std::size_t regions = 0;              // with values that show
-  std::vector<layout::ActiveBox> boxes; // they and their parts, in the order of the tree's leaves
+  std::size_t regions = 0;  // with values that show
+  std::size_t boxCount = 0; // of them and their parts
+  /// In the order of the tree's leaves; none, unless they are asked for.
+  std::vector<layout::ActiveBox> boxes;
   /// The regions' k-d tree down to these boxes, without the parts where nothing is active.
   std::vector<layout::KdNode> nodes;
 };
 
 /// `weights`: of the steps; null: one cell of the finest brick everywhere.
-ActiveRegions selectActiveRegions(
-  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights = nullptr);
+ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
+  const StepWeights* weights = nullptr, bool boxes = true);
 
 /// Orders `boxes` by recursive median splits along the longest axis of their centres. Builders that
 /// halve the array of boxes as given (Mesa's) make a good hierarchy of it.

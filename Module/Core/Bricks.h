@@ -34,7 +34,7 @@ struct Brick
 };
 
 /// Most cells of a brick along an axis. Of 8, 16 and 32, 32 took least memory
-/// (Testing/Benchmarks/BuildStructure) and drew fastest by either traversal (a shell of 3.2 M
+/// (exabricks-benchmark --structure) and drew fastest by either traversal (a shell of 3.2 M
 /// cells, on lavapipe). The device has 8 bits for it.
 constexpr int DefaultBrickCells = 32;
 constexpr int MaximumBrickCells = 255;

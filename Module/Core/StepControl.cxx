@@ -11,11 +11,22 @@ namespace
 {
 double greatest(const glm::dvec4& v) { return std::max({ v.r, v.g, v.b, v.a }); }
 
-// Root mean square over the drawn pixels; 0 if there are none.
-double differenceOfDrawn(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
+constexpr int FewestPixels = 100;
+constexpr double LeastScale = 1.0 / 64.0;
+// At which errors fall with the step: kinks of the field and of the transfer function keep it below
+// the two that theory has for smooth ones.
+constexpr double Order = 1.7;
+// A picture's error beside its difference to the one at half the step.
+constexpr double ErrorPerDifference = 1.15;
+constexpr int Rounds = 4;
+constexpr double Near = 1.1; // no further round for a change of the step by less
+
+// Root mean square over the drawn pixels; none of so few that chance would say it.
+std::optional<double> differenceOfDrawn(
+  const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
 {
   double sum = 0.0;
-  std::size_t drawn = 0;
+  int drawn = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     if (std::max(a[i].a, b[i].a) >= 1.0f / 255.0f)
@@ -25,17 +36,9 @@ double differenceOfDrawn(const std::vector<glm::vec4>& a, const std::vector<glm:
       ++drawn;
     }
   }
-  return drawn > 0 ? std::sqrt(sum / (4.0 * static_cast<double>(drawn))) : 0.0;
+  return drawn >= FewestPixels ? std::make_optional(std::sqrt(sum / (4.0 * drawn))) : std::nullopt;
 }
 
-constexpr double LeastScale = 1.0 / 64.0;
-// At which errors fall with the step: kinks of the field and of the transfer function keep it below
-// the two that theory has for smooth ones.
-constexpr double Order = 1.7;
-// A picture's error beside its difference to the one at half the step.
-constexpr double ErrorPerDifference = 1.25;
-constexpr int Rounds = 4;
-constexpr double Near = 1.2; // no further round for a change of the step by less
 }
 
 StepWeights::StepWeights(const TransferTable& table)
@@ -85,29 +88,38 @@ double StepWeights::step(const ValueRange& range, double width) const
   return weight * longest > this->Whole ? std::cbrt(this->Whole / weight) : LongestStep;
 }
 
-double findStepScale(double tolerance, double first, const DrawAtStepScale& draw)
+std::optional<double> findStepScale(double tolerance, double first, const DrawAtStepScale& draw)
 {
   std::vector<glm::vec4> picture;
   std::vector<glm::vec4> finer;
-  // Steps longer than regions all look alike, and would hide their error.
   double scale = std::min(first, 1.0);
+  double lastScale = scale;
+  double lastError = 0.0;
   for (int round = 0; round < Rounds; ++round)
   {
     draw(scale, picture);
     draw(0.5 * scale, finer);
-    const double error = ErrorPerDifference * differenceOfDrawn(picture, finer);
+    const std::optional<double> difference = differenceOfDrawn(picture, finer);
+    if (!difference)
+    {
+      return std::nullopt;
+    }
+    double error = ErrorPerDifference * *difference;
+    if (scale > lastScale)
+    {
+      // Steps longer than regions all look alike, which hides their error.
+      error = std::max(error, lastError * scale / lastScale);
+    }
     const double change =
-      error > 0.0 ? std::pow(tolerance / error, 1.0 / Order) : GreatestStepScale;
-    if (std::max(change, 1.0 / change) <= Near)
+      error > 0.0 ? std::pow(tolerance / error, 1.0 / Order) : GreatestStepScale / LeastScale;
+    const double next = glm::clamp(scale * change, LeastScale, GreatestStepScale);
+    if (std::max(change, 1.0 / change) <= Near || next == scale)
     {
       break;
     }
-    const double last = scale;
-    scale = glm::clamp(scale * change, LeastScale, GreatestStepScale);
-    if (scale == last)
-    {
-      break;
-    }
+    lastScale = scale;
+    lastError = error;
+    scale = next;
   }
   return scale;
 }

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <glm/vec4.hpp>
+#include <optional>
 
 namespace exabricks
 {
@@ -40,10 +41,11 @@ using DrawAtStepScale = std::function<void(double stepScale, std::vector<glm::ve
 constexpr double GreatestStepScale = 4.0;
 
 /// The step scale, up to GreatestStepScale, at which pictures err by `tolerance`, as a root mean
-/// square over the channels of the pixels that are drawn (opacity of at least 1/255), found from
-/// few pixels: the difference to half the step tells the error, the order at which it falls tells
-/// the step. `first`: where to begin; it is kept if it does.
-double findStepScale(double tolerance, double first, const DrawAtStepScale& draw);
+/// square over the channels of the pixels that are drawn (opacity of at least 1/255), found from a
+/// sparse picture: the difference to half the step tells the error, the order at which it falls
+/// tells the step. `first`: where to begin; it is kept if it does. None if fewer than 100 pixels
+/// are drawn.
+std::optional<double> findStepScale(double tolerance, double first, const DrawAtStepScale& draw);
 }
 
 #endif

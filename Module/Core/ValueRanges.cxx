@@ -119,8 +119,8 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
       {
         for (int x = 0; x < n.x; ++x)
         {
-          const glm::ivec3 lo = region.lo + glm::ivec3(x, y, z) * grid.side;
-          *to = finder.find(region, lo, glm::min(lo + grid.side, region.hi));
+          const glm::ivec3 cell(x, y, z);
+          *to = finder.find(region, grid.corner(region, cell), grid.corner(region, cell + 1));
           ranges.regions[r].add(*to++);
         }
       }

@@ -34,7 +34,13 @@ struct MacrocellGrid
 
   glm::ivec3 count(const layout::Region& box) const
   {
-    return (box.hi - box.lo + (this->side - 1)) / this->side;
+    return (box.hi - box.lo - 1) / this->side + 1;
+  }
+  /// Where macrocell `i` of a region begins, and with i + 1 where it ends.
+  glm::ivec3 corner(const layout::Region& box, const glm::ivec3& i) const
+  {
+    // the sum may be more than an int holds
+    return glm::ivec3(glm::min(Int3(box.lo) + Int3(i) * std::int64_t(this->side), Int3(box.hi)));
   }
 };
 

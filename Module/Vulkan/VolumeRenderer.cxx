@@ -33,12 +33,13 @@ constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
 constexpr double PilotPixels = 3000.0;
 
 // Each region with bricks, as a whole.
-ActiveRegions selectAllRegions(Volume volume)
+ActiveRegions selectAllRegions(Volume volume, bool boxes)
 {
   ValueRanges whole;
   whole.regions.assign(volume.tree->regions.size(), { 0.0f, 1.0f });
   volume.ranges = &whole;
-  return selectActiveRegions(volume, TransferFunction({ { 0.0, glm::dvec4(1.0) } }));
+  return selectActiveRegions(
+    volume, TransferFunction({ { 0.0, glm::dvec4(1.0) } }), nullptr, boxes);
 }
 }
 
@@ -231,16 +232,26 @@ struct VolumeRenderer::Internals
     }
     const Stopwatch watch;
     this->DropActive();
+    const bool rayQuery = this->Figures.traversal == Traversal::RayQuery;
     std::optional<StepWeights> weights;
     if (this->Weighted)
     {
       weights.emplace(TransferTable(this->Transfer));
     }
     ActiveRegions active = this->Program && !this->Program->skipsSpace
-      ? selectAllRegions(this->Subject)
-      : selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr);
+      ? selectAllRegions(this->Subject, rayQuery)
+      : selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr, rayQuery);
     this->Figures.activeRegions = active.regions;
-    this->Figures.activeBoxes = active.boxes.size();
+    this->Figures.activeBoxes = active.boxCount;
+    const std::size_t most = layout::KD_NO_REGION; // links have 30 bits
+    if (active.nodes.size() >= most || this->Subject.tree->brickLists.size() >= most ||
+      this->Subject.bricks->size() >= layout::LAST_BRICK)
+    {
+      throw vulkan::Failure(
+        "expected regions with fewer than 2^30 nodes and entries of lists, found " +
+        std::to_string(active.nodes.size()) + " and " +
+        std::to_string(this->Subject.tree->brickLists.size()) + ". Read fewer levels");
+    }
     if (this->Figures.traversal == Traversal::RayQuery && !active.boxes.empty())
     {
       try
@@ -296,37 +307,48 @@ struct VolumeRenderer::Internals
     this->Figures.deviceBytes = bytes;
   }
 
-  // Draws some of the view's pixels until it knows which steps err as much as they may.
+  // Draws some of the view's pixels until it knows which steps err as much as they may; more of
+  // them where few show anything.
   double FindStepScale(const layout::Frame& frame, const View& view)
   {
     const Stopwatch watch;
-    const int sparse =
-      std::max(1, static_cast<int>(std::sqrt(double(view.width) * view.height / PilotPixels)));
-    View pilot = view;
-    pilot.width = std::max(1, view.width / sparse);
-    pilot.height = std::max(1, view.height / sparse);
-    std::vector<float> depth;
-    if (view.depth)
+    std::optional<double> scale;
+    const double pixels = static_cast<double>(view.width) * view.height;
+    for (double some = PilotPixels; !scale; some *= 8.0)
     {
-      for (int y = 0; y < pilot.height; ++y)
+      const double sparse = std::max(1.0, std::sqrt(pixels / some));
+      View pilot = view;
+      pilot.width = std::max(1, static_cast<int>(view.width / sparse));
+      pilot.height = std::max(1, static_cast<int>(view.height / sparse));
+      std::vector<float> depth;
+      if (view.depth)
       {
-        for (int x = 0; x < pilot.width; ++x)
+        // of the pixel that a pilot's ray goes through
+        for (std::int64_t y = 0; y < pilot.height; ++y)
         {
-          depth.push_back(view.depth[(x * sparse + sparse / 2) +
-            static_cast<std::size_t>(view.width) * (y * sparse + sparse / 2)]);
+          const std::int64_t row = (2 * y + 1) * view.height / (2 * pilot.height);
+          for (std::int64_t x = 0; x < pilot.width; ++x)
+          {
+            depth.push_back(
+              view.depth[(2 * x + 1) * view.width / (2 * pilot.width) + view.width * row]);
+          }
         }
+        pilot.depth = depth.data();
       }
-      pilot.depth = depth.data();
-    }
-    // Of the last picture: the camera may have moved a little.
-    this->PilotScale = findStepScale(view.errorTolerance, this->PilotScale,
-      [&](double stepScale, std::vector<glm::vec4>& picture)
+      scale = findStepScale(view.errorTolerance, this->PilotScale,
+        [&](double stepScale, std::vector<glm::vec4>& picture)
+        {
+          pilot.stepScale = stepScale;
+          this->Pass->run(frame, pilot, picture);
+        });
+      if (!scale && some >= pixels)
       {
-        pilot.stepScale = stepScale;
-        this->Pass->run(frame, pilot, picture);
-      });
+        scale = std::min(this->PilotScale, 1.0); // next to nothing is drawn
+      }
+    }
+    this->PilotScale = *scale; // the next picture is likely to be much like this one
     this->Figures.pilotTime = watch.seconds();
-    return this->PilotScale;
+    return *scale;
   }
 
   void March(View view, std::vector<glm::vec4>& picture)
@@ -350,7 +372,6 @@ struct VolumeRenderer::Internals
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
     }
-    const Stopwatch watch;
     layout::Frame frame{};
     frame.size = this->Subject.tree->size;
     frame.bricks = this->Bricks.address();
@@ -370,6 +391,7 @@ struct VolumeRenderer::Internals
       view.stepScale = this->Program ? view.stepScale : this->FindStepScale(frame, view);
     }
     this->Figures.stepScale = view.stepScale;
+    const Stopwatch watch;
     this->Pass->run(frame, view, picture);
     this->Figures.marchTime = watch.seconds();
   }

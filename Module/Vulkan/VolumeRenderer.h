@@ -73,8 +73,8 @@ public:
   void selectProgram(std::shared_ptr<const MarchProgram> program);
 
   void setVolume(const Volume& volume);
-  /// Costs an upload of colours; and when it shows other values than before, a new selection of the
-  /// active regions.
+  /// Costs an upload of colours; and when it shows other values than before, or pictures are drawn
+  /// with an error tolerance, a new selection of the active regions.
   void setTransferFunction(const TransferFunction& transfer);
 
   /// Brings everything on the device up to date.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureFile.h" // fileNameOf
 #include "Report.h"
+#include "TargetTables.h"
 
 #include "Accuracy/Charts.h"
 #include "Accuracy/ObservedOrder.h"
@@ -310,7 +311,8 @@ void drawGrowth(const Results& results, const std::string& folder, const std::st
   }
 }
 
-// What a reader sees first: of the scenes on which peers were measured, real data if there are.
+// What a reader sees first: the scene with known targets; else one of those on which peers were
+// measured, real data if there are.
 std::string mainScene(const Results& results)
 {
   std::string found;
@@ -320,6 +322,10 @@ std::string mainScene(const Results& results)
     const bool hasPeers = std::any_of(results.rows.begin(), results.rows.end(),
       [&](const Result& r)
       { return r.scene == scene.scene && r.role == Role::Peer && std::isfinite(r.psnr); });
+    if (hasPeers && scene.scene == TargetScene)
+    {
+      return scene.scene;
+    }
     if (hasPeers && (found.empty() || (!isData && scene.group == "data")))
     {
       found = scene.scene;

@@ -61,12 +61,12 @@ TEST(StepWeights, AreOneOverAllVariationAndFallWithItsCubeRoot)
 
 TEST(StepControl, FindsTheStepOfAnError)
 {
-  for (const double order : { 1.0, 1.7, 2.0, 3.0 })
+  for (const double order : { 1.3, 1.7, 2.0, 3.0 })
   {
     for (const double tolerance : { 0.02, 0.001 })
     {
       Model model{ 0.004, order };
-      const double scale = findStepScale(tolerance, 1.0, std::ref(model));
+      const double scale = *findStepScale(tolerance, 1.0, std::ref(model));
       const double got = 0.004 * std::pow(scale, order);
       EXPECT_LE(got, 2.0 * tolerance) << order;
       EXPECT_GE(got, 0.5 * tolerance) << order;
@@ -77,17 +77,31 @@ TEST(StepControl, FindsTheStepOfAnError)
 TEST(StepControl, KeepsAStepThatDoes)
 {
   Model model{ 0.004, 1.7 };
-  const double scale = findStepScale(0.001, 1.0, std::ref(model));
+  const double scale = *findStepScale(0.001, 1.0, std::ref(model));
   model.drawn = 0;
-  EXPECT_EQ(findStepScale(0.001, scale, std::ref(model)), scale);
+  EXPECT_EQ(*findStepScale(0.001, scale, std::ref(model)), scale);
   EXPECT_EQ(model.drawn, 2); // as little as it takes to know
 }
 
-TEST(StepControl, EndsWhereNothingErrsOrNothingIsDrawn)
+TEST(StepControl, EndsWhereNothingErrs)
 {
   Model exact{ 0.0, 2.0 };
-  EXPECT_EQ(findStepScale(0.001, 1.0, std::ref(exact)), GreatestStepScale);
-  const double scale = findStepScale(0.001, 1.0,
-    [](double, std::vector<glm::vec4>& picture) { picture.assign(10, glm::vec4(0.0f)); });
-  EXPECT_TRUE(std::isfinite(scale));
+  EXPECT_EQ(*findStepScale(0.001, 1.0, std::ref(exact)), GreatestStepScale);
+}
+
+TEST(StepControl, SaysWhenTooFewPixelsAreDrawn)
+{
+  EXPECT_FALSE(findStepScale(0.001, 1.0,
+    [](double, std::vector<glm::vec4>& picture) { picture.assign(99, glm::vec4(1.0f)); }));
+}
+
+TEST(StepControl, DoesNotTakeStepsThatLookAlikeForGood)
+{
+  // From a scale of 2 on each region is one interval: nothing more changes, and all is as wrong.
+  Model model{ 0.004, 2.0 };
+  const auto saturated = [&](double scale, std::vector<glm::vec4>& picture)
+  { model(std::min(scale, 2.0), picture); };
+  const double scale = *findStepScale(0.012, 1.0, saturated);
+  EXPECT_LE(0.004 * std::pow(std::min(scale, 2.0), 2.0), 2.0 * 0.012);
+  EXPECT_LT(scale, GreatestStepScale);
 }

@@ -26,15 +26,16 @@ TEST(KeepsTolerance, WithinAFactorOfTwo)
     for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
     {
       subject.renderer.selectTraversal(traversal);
+      subject.errorTolerance = 0.02;
+      const double greatest = errorOfDrawn(subject.render(view), truth);
       for (const double tolerance : { 0.01, 0.003, 0.001 })
       {
         subject.errorTolerance = tolerance;
         const double error = errorOfDrawn(subject.render(view), truth);
         EXPECT_LE(error, 2.0 * tolerance);
-        // or steps are as long as they get
-        EXPECT_TRUE(
-          error >= 0.5 * tolerance || subject.renderer.statistics().stepScale == GreatestStepScale)
-          << error << " of " << tolerance;
+        // or what is allowed more changes little, as regions are short
+        EXPECT_TRUE(error >= 0.5 * tolerance || error >= 0.8 * greatest)
+          << error << " of " << tolerance << ", at most " << greatest;
       }
     }
   }
@@ -42,16 +43,32 @@ TEST(KeepsTolerance, WithinAFactorOfTwo)
 
 TEST(KeepsTolerance, WithGeometryInFront)
 {
+  // Sizes that the pilot's pixels do not divide; all hidden but a strip.
   SceneRenderer subject(reference::twoLevels());
-  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 128);
-  view.depth.assign(128 * 128, 1.0f);
-  for (int y = 0; y < 128; ++y)
+  reference::View view = reference::lookAt(
+    subject.scene.hierarchy, subject.structure.tree.bounds, { -0.6, 0.5, -0.4 }, 30.0, 131, 97);
+  subject.errorTolerance = 0.003;
+  view.depth.assign(131 * 97, 0.0f);
+  for (int y = 0; y < 97; ++y)
   {
-    for (int x = 0; x < 64; ++x)
+    for (int x = 0; x < 40; ++x)
     {
-      view.depth[x + 128 * y] = 0.5f;
+      view.depth[x + 131 * y] = 1.0f;
     }
   }
+  const double error = errorOfDrawn(subject.render(view), subject.renderOracle(view));
+  EXPECT_LE(error, 0.006);
+  EXPECT_GE(error, 0.0015);
+}
+
+TEST(KeepsTolerance, OfWhatIsSmallInThePicture)
+{
+  // Too small for the first few pixels to find much of it.
+  SceneRenderer subject(reference::twoLevels());
+  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 400);
+  const glm::dmat4 away = glm::scale(glm::dmat4(1.0), glm::dvec3(16.0, 16.0, 1.0));
+  view.ndcToLogical = view.ndcToLogical * away;
+  view.ndcToWorld = view.ndcToWorld * away;
   subject.errorTolerance = 0.003;
   const double error = errorOfDrawn(subject.render(view), subject.renderOracle(view));
   EXPECT_LE(error, 0.006);
