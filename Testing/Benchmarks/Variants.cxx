@@ -23,12 +23,18 @@ namespace
 {
 using Program = std::shared_ptr<const MarchProgram>;
 
+template <std::size_t N>
+std::vector<std::uint32_t> toWords(const std::uint32_t (&spirv)[N])
+{
+  return { std::begin(spirv), std::end(spirv) };
+}
+
 /// Of a method that needs no data of its own. `spirv`: an array; none: our own shader.
 template <typename... Words>
 auto makePlain(bool skipsSpace, const Words&... spirv)
 {
   MarchProgram program;
-  (program.spirv.assign(std::begin(spirv), std::end(spirv)), ...);
+  ((program.spirv = toWords(spirv)), ...);
   program.skipsSpace = skipsSpace;
   return [shared = std::make_shared<const MarchProgram>(std::move(program))](const Volume&)
   { return shared; };
@@ -46,7 +52,7 @@ void append(std::vector<std::uint32_t>& words, const std::vector<T>& items)
 Program makeCellLocation(const Volume& volume)
 {
   MarchProgram program;
-  program.spirv.assign(std::begin(CellLocationSpirv), std::end(CellLocationSpirv));
+  program.spirv = toWords(CellLocationSpirv);
   append(program.extra,
     buildBrickTree(
       *volume.bricks, *volume.cellWidth, volume.tree->bounds.lo, BrickExtent::Support));
@@ -76,7 +82,7 @@ std::vector<layout::LevelLattice> makeLattices(const Volume& volume)
 Program makeNaiveWalk(const Volume& volume)
 {
   MarchProgram program;
-  program.spirv.assign(std::begin(NaiveWalkSpirv), std::end(NaiveWalkSpirv));
+  program.spirv = toWords(NaiveWalkSpirv);
   program.skipsSpace = false;
   const std::vector<layout::LevelLattice> lattices = makeLattices(volume);
   program.extra.push_back(static_cast<std::uint32_t>(lattices.size()));
