@@ -4,13 +4,10 @@
 #include "Adapters/SceneOutput.h"
 
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolumeProperty.h"
@@ -179,16 +176,7 @@ void vtkExaBricksSceneSource::InitializeProperty(vtkVolumeProperty* property)
   {
     return; // why has been said
   }
-  vtkNew<vtkColorTransferFunction> color;
-  vtkNew<vtkPiecewiseFunction> opacity;
-  for (const auto& point : made.transfer.points())
-  {
-    const double value = made.range.min + point.value * (made.range.max - made.range.min);
-    color->AddRGBPoint(value, point.color.r, point.color.g, point.color.b);
-    opacity->AddPoint(value, point.color.a);
-  }
-  property->SetColor(color);
-  property->SetScalarOpacity(opacity);
+  exabricks::writeTransfer(made.transfer, made.range, property);
   property->SetScalarOpacityUnitDistance(made.opacityUnitDistance);
 }
 

@@ -7,13 +7,18 @@
 #include "vtkAMRBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
 
 namespace exabricks
 {
@@ -161,5 +166,26 @@ void writeMesh(const TriangleMesh& mesh, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetPolys(triangles);
+}
+
+void writeTransfer(
+  const TransferFunction& transfer, const Range& range, vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  double last = -std::numeric_limits<double>::infinity();
+  for (const TransferFunction::Point& point : transfer.points())
+  {
+    double value = range.min + point.value * (range.max - range.min);
+    if (value <= last) // a jump: VTK keeps one node for a value
+    {
+      value = std::nextafter(last, std::numeric_limits<double>::infinity());
+    }
+    colors->AddRGBPoint(value, point.color.r, point.color.g, point.color.b);
+    opacity->AddPoint(value, point.color.a);
+    last = value;
+  }
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacity);
 }
 }

@@ -7,6 +7,7 @@
 
 class vtkOverlappingAMR;
 class vtkPolyData;
+class vtkVolumeProperty;
 
 namespace exabricks
 {
@@ -16,6 +17,10 @@ bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* n
   vtkOverlappingAMR* amr, const Progress& progress = {});
 
 void writeMesh(const TriangleMesh& mesh, vtkPolyData* output);
+
+/// Colours and opacities of the values that `transfer` is normalised from.
+void writeTransfer(
+  const TransferFunction& transfer, const Range& range, vtkVolumeProperty* property);
 }
 
 #endif

@@ -9,11 +9,6 @@ namespace
 {
 constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF };
 
-int longestAxis(const glm::ivec3& size)
-{
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-
 class Selection
 {
 public:
@@ -213,8 +208,7 @@ void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)
         hi[axis] = std::max(hi[axis], center(boxes[i], axis));
       }
     }
-    const Int3 size = hi - lo;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = longestAxis(hi - lo);
     const std::size_t middle = range.first + (range.second - range.first) / 2;
     std::nth_element(boxes.begin() + range.first, boxes.begin() + middle,
       boxes.begin() + range.second,

@@ -99,6 +99,13 @@ inline std::pair<Box, Box> split(const Box& box, int axis, std::int64_t plane)
   parts.second.lo[axis] = plane;
   return parts;
 }
+
+/// Of a size along x, y, z; the first of equal ones.
+template <typename Size>
+int longestAxis(const Size& size)
+{
+  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
 }
 
 #endif

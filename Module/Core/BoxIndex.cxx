@@ -31,7 +31,7 @@ void BoxIndex::Build(int begin, int end)
     return;
   }
   const Int3 size = bounds.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const int axis = longestAxis(size);
   const int middle = begin + (end - begin) / 2;
   std::nth_element(this->Order.begin() + begin, this->Order.begin() + middle,
     this->Order.begin() + end,

@@ -50,7 +50,7 @@ Model makeStandInModel(StandInKind kind, double leafCells)
   model.camera.viewAngle = made->camera.viewAngle;
   fitClipping(made->hierarchy, model.camera);
   model.tolerance = 1e-5; // on average a hundredth of that is left, and a twentieth of the time
-  model.surface = { made->mesh.points, made->mesh.triangles };
+  model.surface = { made->mesh };
   return model;
 }
 }

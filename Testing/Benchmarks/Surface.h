@@ -4,18 +4,14 @@
 #define ExaBricksBenchmarksSurface_h
 
 #include "Reference/View.h"
-
-#include <glm/ext/vector_int3.hpp>
+#include "Scenes/StandIn.h" // TriangleMesh
 
 namespace exabricks
 {
 namespace benchmarks
 {
-struct Surface
+struct Surface : TriangleMesh
 {
-  std::vector<glm::dvec3> points; // world
-  std::vector<glm::ivec3> triangles;
-
   /// As a graphics card takes it: float positions, 32-bit indices.
   std::uint64_t bytes() const { return 12 * (this->points.size() + this->triangles.size()); }
 };

@@ -3,13 +3,9 @@
 
 #include "Adapters/SceneOutput.h"
 
-#include "vtkColorTransferFunction.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-
-#include <cmath>
 
 namespace exabricks
 {
@@ -19,24 +15,8 @@ namespace
 {
 vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene)
 {
-  const Range& range = scene.scalars().range;
-  vtkNew<vtkColorTransferFunction> colors;
-  vtkNew<vtkPiecewiseFunction> opacity;
-  double last = -std::numeric_limits<double>::infinity();
-  for (const TransferFunction::Point& point : scene.transfer().points())
-  {
-    double value = range.min + point.value * (range.max - range.min);
-    if (value <= last) // a jump: VTK keeps one node for a value
-    {
-      value = std::nextafter(last, std::numeric_limits<double>::infinity());
-    }
-    colors->AddRGBPoint(value, point.color.r, point.color.g, point.color.b);
-    opacity->AddPoint(value, point.color.a);
-    last = value;
-  }
   auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetColor(colors);
-  property->SetScalarOpacity(opacity);
+  writeTransfer(scene.transfer(), scene.scalars().range, property);
   property->SetScalarOpacityUnitDistance(scene.model().opacityUnitDistance);
   return property;
 }
@@ -59,7 +39,7 @@ vtkSmartPointer<vtkActor> makeSurfaceActor(const Surface& surface)
     return nullptr;
   }
   vtkNew<vtkPolyData> data;
-  writeMesh({ surface.points, surface.triangles }, data);
+  writeMesh(surface, data);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   auto actor = vtkSmartPointer<vtkActor>::New();
