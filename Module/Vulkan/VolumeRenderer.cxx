@@ -2,8 +2,7 @@
 #include "Vulkan/VolumeRenderer.h"
 
 #include "Core/TransferTable.h"
-#include "Vulkan/AccelerationStructure.h"
-#include "Vulkan/Faults.h"
+#include "Vulkan/DeviceVolume.h"
 #include "Vulkan/MarchPass.h"
 
 #include <chrono>
@@ -25,9 +24,6 @@ public:
 private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
-
-// Values fill several buffers, none longer than a device allows, each of whole bricks.
-constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
 
 // About as many pixels tell the error of a picture.
 constexpr double PilotPixels = 3000.0;
@@ -54,18 +50,12 @@ struct VolumeRenderer::Internals
 
   // What is on the device. Rebuilt from the above when the device was lost.
   std::shared_ptr<vulkan::Device> Device;
-  std::vector<vulkan::Buffer> Values;
-  vulkan::Buffer Bricks;
-  vulkan::Buffer BrickLists;
+  std::unique_ptr<vulkan::DeviceVolume> OnDevice; // the subject
   vulkan::Buffer Bins;
   vulkan::Buffer Knots;
   float IntegralUnit = 1.0f;
-  vulkan::Buffer Nodes;
-  vulkan::Buffer ActiveBoxes;
-  vulkan::AccelerationStructure Scene;
   vulkan::Buffer Extra;
   std::unique_ptr<vulkan::MarchPass> Pass;
-  bool VolumeReady = false;
   bool ColorsReady = false;
   bool OpacityReady = false;
   bool Weighted = false;   // steps are, by what they err
@@ -78,20 +68,9 @@ struct VolumeRenderer::Internals
 
   void DropVolume()
   {
-    this->VolumeReady = false;
     this->SceneFailed = false;
-    this->Values.clear();
-    this->Bricks = {};
-    this->BrickLists = {};
-    this->DropActive();
-  }
-
-  void DropActive()
-  {
+    this->OnDevice.reset();
     this->OpacityReady = false;
-    this->Nodes = {};
-    this->ActiveBoxes = {};
-    this->Scene = {};
   }
 
   void DropProgram()
@@ -133,73 +112,21 @@ struct VolumeRenderer::Internals
     }
     if (traversal != this->Figures.traversal)
     {
-      this->DropActive(); // each traversal has its own form of them
+      this->OpacityReady = false; // each traversal has its own form of them
       this->Figures.traversal = traversal;
     }
   }
 
   void UpdateVolume()
   {
-    if (this->VolumeReady)
+    if (this->OnDevice)
     {
       return;
     }
     const Stopwatch watch;
     this->DropVolume();
-    const std::vector<Brick>& bricks = *this->Subject.bricks;
-    const RegionTree& tree = *this->Subject.tree;
-    const vk::DeviceSize largest =
-      std::min<vk::DeviceSize>(LargestValueBuffer, vulkan::faults().largestValueBuffer);
-    const int layer = this->Subject.scalars->layer;
-    std::vector<layout::Brick> records;
-    records.reserve(bricks.size());
-    for (std::size_t first = 0; first < bricks.size();)
-    {
-      const std::uint64_t begin = bricks[first].firstValue;
-      std::uint64_t end = begin;
-      std::size_t last = first;
-      for (; last < bricks.size() &&
-           (last == first ||
-             (end - begin + bricks[last].numberOfValues(layer)) * sizeof(float) <= largest);
-           ++last)
-      {
-        end += bricks[last].numberOfValues(layer);
-      }
-      const vk::DeviceSize bytes = (end - begin) * sizeof(float);
-      this->Values.emplace_back(
-        this->Device, bytes, vulkan::Residence::Device, "the cells' values");
-      this->Values.back().upload(this->Subject.scalars->values.data() + begin, bytes);
-      for (; first < last; ++first)
-      {
-        records.push_back(this->Record(first, begin));
-      }
-    }
-    this->Bricks = vulkan::makeBuffer(this->Device, records, "the bricks");
-    std::vector<std::uint32_t> lists = tree.brickLists;
-    for (const layout::Region& region : tree.regions)
-    {
-      if (region.brickCount > 0)
-      {
-        lists[region.firstBrick + region.brickCount - 1] |= layout::LAST_BRICK;
-      }
-    }
-    this->BrickLists = vulkan::makeBuffer(this->Device, lists, "the brick lists");
-    this->VolumeReady = true;
+    this->OnDevice = std::make_unique<vulkan::DeviceVolume>(this->Device, this->Subject);
     this->Figures.uploadTime = watch.seconds();
-  }
-
-  layout::Brick Record(std::size_t b, std::uint64_t bufferBegin) const
-  {
-    const Brick& brick = (*this->Subject.bricks)[b];
-    const glm::uvec3 n(brick.cells);
-    layout::Brick record{};
-    record.lo = glm::ivec3((brick.lo - this->Subject.tree->bounds.lo) * std::int64_t(2));
-    record.width = static_cast<int>((*this->Subject.cellWidth)[brick.level]);
-    record.dimensions = n.x | n.y << 8 | n.z << 16 |
-      (this->Subject.scalars->brickHasAbsentCells[b] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
-    record.values =
-      this->Values.back().address() + (brick.firstValue - bufferBegin) * sizeof(float);
-    return record;
   }
 
   void UpdateColors()
@@ -217,11 +144,18 @@ struct VolumeRenderer::Internals
     this->Figures.colorTime = watch.seconds();
   }
 
-  void BuildScene(std::vector<layout::ActiveBox> boxes)
+  ActiveRegions SelectActiveRegions(bool boxes) const
   {
-    sortByMedianSplits(boxes);
-    this->ActiveBoxes = vulkan::makeBuffer(this->Device, boxes, "the active regions");
-    this->Scene = vulkan::AccelerationStructure(this->Device, this->Subject.tree->size, boxes);
+    if (this->Program && !this->Program->skipsSpace)
+    {
+      return selectAllRegions(this->Subject, boxes);
+    }
+    std::optional<StepWeights> weights;
+    if (this->Weighted)
+    {
+      weights.emplace(TransferTable(this->Transfer));
+    }
+    return selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr, boxes);
   }
 
   void UpdateActiveRegions()
@@ -231,49 +165,25 @@ struct VolumeRenderer::Internals
       return;
     }
     const Stopwatch watch;
-    this->DropActive();
-    const bool rayQuery = this->Figures.traversal == Traversal::RayQuery;
-    std::optional<StepWeights> weights;
-    if (this->Weighted)
+    try
     {
-      weights.emplace(TransferTable(this->Transfer));
+      this->OnDevice->setActive(
+        this->SelectActiveRegions(this->Figures.traversal == Traversal::RayQuery));
     }
-    ActiveRegions active = this->Program && !this->Program->skipsSpace
-      ? selectAllRegions(this->Subject, rayQuery)
-      : selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr, rayQuery);
-    this->Figures.activeRegions = active.regions;
-    this->Figures.activeBoxes = active.boxCount;
-    const std::size_t most = layout::KD_NO_REGION; // links have 30 bits
-    if (active.nodes.size() >= most || this->Subject.tree->brickLists.size() >= most ||
-      this->Subject.bricks->size() >= layout::LAST_BRICK)
+    catch (const vulkan::Failure&)
     {
-      throw vulkan::Failure(
-        "expected regions with fewer than 2^30 nodes and entries of lists, found " +
-        std::to_string(active.nodes.size()) + " and " +
-        std::to_string(this->Subject.tree->brickLists.size()) + ". Read fewer levels");
-    }
-    if (this->Figures.traversal == Traversal::RayQuery && !active.boxes.empty())
-    {
-      try
+      if (this->Figures.traversal == Traversal::KdTree ||
+        this->WantedTraversal != Traversal::Automatic)
       {
-        this->BuildScene(std::move(active.boxes));
+        throw;
       }
-      catch (const vulkan::Failure&)
-      {
-        if (this->WantedTraversal != Traversal::Automatic)
-        {
-          throw;
-        }
-        // Too many boxes, or no memory for them: the k-d tree takes a fifth of it.
-        this->DropActive();
-        this->SceneFailed = true;
-        this->Figures.traversal = Traversal::KdTree;
-      }
+      // Too many boxes, or no memory for them: the k-d tree takes a fifth of it.
+      this->SceneFailed = true;
+      this->Figures.traversal = Traversal::KdTree;
+      this->OnDevice->setActive(this->SelectActiveRegions(false));
     }
-    if (this->Figures.traversal == Traversal::KdTree)
-    {
-      this->Nodes = vulkan::makeBuffer(this->Device, active.nodes, "the k-d tree");
-    }
+    this->Figures.activeRegions = this->OnDevice->activeRegions();
+    this->Figures.activeBoxes = this->OnDevice->activeBoxes();
     this->OpacityReady = true;
     this->Figures.opacityTime = watch.seconds();
   }
@@ -297,14 +207,8 @@ struct VolumeRenderer::Internals
       this->UpdateColors();
       this->UpdateActiveRegions();
     }
-    vk::DeviceSize bytes = this->Bricks.bytes() + this->BrickLists.bytes() + this->Bins.bytes() +
-      this->Knots.bytes() + this->Nodes.bytes() + this->ActiveBoxes.bytes() + this->Scene.bytes() +
-      this->Extra.bytes();
-    for (const vulkan::Buffer& values : this->Values)
-    {
-      bytes += values.bytes();
-    }
-    this->Figures.deviceBytes = bytes;
+    this->Figures.deviceBytes = this->Bins.bytes() + this->Knots.bytes() + this->Extra.bytes() +
+      (this->OnDevice ? this->OnDevice->bytes() : 0);
   }
 
   // Draws some of the view's pixels until it knows which steps err as much as they may; more of
@@ -373,15 +277,10 @@ struct VolumeRenderer::Internals
       return;
     }
     layout::Frame frame{};
-    frame.size = this->Subject.tree->size;
-    frame.bricks = this->Bricks.address();
-    frame.brickLists = this->BrickLists.address();
-    frame.nodes = this->Nodes.address();
-    frame.activeBoxes = this->ActiveBoxes.address();
+    this->OnDevice->fill(frame);
     frame.transferBins = this->Bins.address();
     frame.transferKnots = this->Knots.address();
     frame.integralUnit = this->IntegralUnit;
-    frame.scene = this->Scene.address();
     frame.extra = this->Extra.address();
     if (weighted)
     {
@@ -478,7 +377,7 @@ void VolumeRenderer::selectProgram(std::shared_ptr<const MarchProgram> program)
   {
     this->Data->Fault.clear();
     this->Data->DropProgram();
-    this->Data->DropActive(); // a program may skip other regions
+    this->Data->OpacityReady = false; // a program may skip other regions
     this->Data->Program = std::move(program);
   }
 }
