@@ -376,6 +376,11 @@ double vtkExaBricksVolumeMapper::GetMarchTime()
   return this->Internals->Renderer.statistics().marchTime;
 }
 
+int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
+{
+  return this->Internals->Renderer.statistics().levelsLeftOut;
+}
+
 double* vtkExaBricksVolumeMapper::GetBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
@@ -490,5 +495,6 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DeviceName: " << this->GetDeviceName() << "\n";
   os << indent << "TraversalUsed: " << this->GetTraversalUsed() << "\n";
   os << indent << "NumberOfActiveRegions: " << this->GetNumberOfActiveRegions() << "\n";
+  os << indent << "LevelsLeftOut: " << this->GetLevelsLeftOut() << "\n";
   os << indent << "DeviceMemory: " << this->GetDeviceMemory() << " bytes\n";
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <map>
 
 namespace exabricks
 {
@@ -20,6 +21,11 @@ constexpr double Order = 1.7;
 constexpr double ErrorPerDifference = 1.15;
 constexpr int Rounds = 4;
 constexpr double Near = 1.1; // no further round for a change of the step by less
+// Of the tolerance, the most that levels left out may err by: what they do is left for the steps,
+// which would get too short beyond.
+constexpr double MostForLevels = 0.6;
+// Steps in cells beside those of one level more, where to begin.
+constexpr double StepsForCoarser = 0.8;
 
 // Root mean square over the drawn pixels; none of so few that chance would say it.
 std::optional<double> differenceOfDrawn(
@@ -39,6 +45,162 @@ std::optional<double> differenceOfDrawn(
   return drawn >= FewestPixels ? std::make_optional(std::sqrt(sum / (4.0 * drawn))) : std::nullopt;
 }
 
+// Finds the effort for a tolerance. Each picture is drawn once.
+class Pilot
+{
+public:
+  Pilot(double tolerance, const Effort& first, const DrawPilot& draw)
+    : Tolerance(tolerance)
+    , First(first)
+    , Draw(draw)
+  {
+  }
+
+  std::optional<Effort> find()
+  {
+    // Where levels are left out, it is enough to know once how fine the truth has to be.
+    double full = std::min(this->First.fullStepScale, 1.0);
+    if (this->First.levelsLeftOut == 0 || this->First.checkedFor != this->Tolerance)
+    {
+      full = this->FindFullStepScale(full, 1.0);
+    }
+    this->Truth = this->Picture(0, 0.5 * full);
+    if (!differenceOfDrawn(*this->Truth, *this->Truth))
+    {
+      return std::nullopt;
+    }
+    this->Least = { 0, full, full, this->Tolerance };
+    int levels = std::max(this->First.levelsLeftOut, 1);
+    if (this->Suffices(levels))
+    {
+      while (this->Suffices(++levels))
+      {
+      }
+    }
+    else
+    {
+      while (--levels > 0 && !this->Suffices(levels))
+      {
+      }
+    }
+    if (this->Least.levelsLeftOut == 0)
+    {
+      full = this->FindFullStepScale(full, GreatestStepScale);
+      this->Least = { 0, full, full, this->Tolerance };
+    }
+    return this->Least;
+  }
+
+private:
+  using Pixels = std::vector<glm::vec4>;
+
+  // Null: there are not so many levels to leave out.
+  const Pixels* Picture(int levelsLeftOut, double stepScale)
+  {
+    const auto [at, isNew] = this->Pictures.try_emplace({ levelsLeftOut, stepScale });
+    if (isNew && !this->Draw(levelsLeftOut, stepScale, at->second))
+    {
+      this->Pictures.erase(at);
+      return nullptr;
+    }
+    return &at->second;
+  }
+
+  // With all levels.
+  double FindFullStepScale(double first, double greatest)
+  {
+    double scale = first;
+    double lastScale = scale;
+    double lastError = 0.0;
+    for (int round = 0; round < Rounds; ++round)
+    {
+      const std::optional<double> difference =
+        differenceOfDrawn(*this->Picture(0, scale), *this->Picture(0, 0.5 * scale));
+      if (!difference)
+      {
+        break;
+      }
+      double error = ErrorPerDifference * *difference;
+      if (scale > lastScale)
+      {
+        // Steps longer than regions all look alike, which hides their error.
+        error = std::max(error, lastError * scale / lastScale);
+      }
+      const double change =
+        error > 0.0 ? std::pow(this->Tolerance / error, 1.0 / Order) : greatest / LeastScale;
+      const double next = glm::clamp(scale * change, LeastScale, greatest);
+      if (std::max(change, 1.0 / change) <= Near || next == scale)
+      {
+        break;
+      }
+      lastScale = scale;
+      lastError = error;
+      scale = next;
+    }
+    return scale;
+  }
+
+  // Whether so many levels can be left out; makes it the least effort if so.
+  bool Suffices(int levels)
+  {
+    const auto error = [&](double stepScale)
+    {
+      const Pixels* picture = this->Picture(levels, stepScale);
+      return picture ? differenceOfDrawn(*picture, *this->Truth) : std::nullopt;
+    };
+    const auto accept = [&](double stepScale)
+    {
+      this->Least.levelsLeftOut = levels;
+      this->Least.stepScale = stepScale;
+      return true;
+    };
+    const double near = std::pow(Near, Order);
+    double scale = StepsForCoarser * this->Least.stepScale;
+    if (levels == this->First.levelsLeftOut)
+    {
+      scale = this->First.stepScale;
+      const std::optional<double> same = error(scale);
+      if (same && *same <= near * this->Tolerance &&
+        (*same * near >= this->Tolerance || scale == GreatestStepScale))
+      {
+        return accept(scale);
+      }
+    }
+    const std::optional<double> fine = error(0.5 * scale);
+    if (!fine || *fine > MostForLevels * this->Tolerance)
+    {
+      return false;
+    }
+    const std::optional<double> coarse = error(scale);
+    if (!coarse)
+    {
+      return false;
+    }
+    // Both have what the levels err in them, beside what the steps do, which falls with the order.
+    const double squares = (*coarse * *coarse - *fine * *fine) / (1.0 - std::pow(0.5, 2.0 * Order));
+    const double ofSteps = std::sqrt(std::max(squares, 0.0));
+    const double forSteps = std::sqrt(this->Tolerance * this->Tolerance - *fine * *fine);
+    const double change =
+      ofSteps > 0.0 ? std::pow(forSteps / ofSteps, 1.0 / Order) : GreatestStepScale / LeastScale;
+    scale = glm::clamp(scale * change, LeastScale, GreatestStepScale);
+    if (std::max(change, 1.0 / change) > 1.5)
+    {
+      const std::optional<double> got = error(scale);
+      if (got && *got > near * this->Tolerance)
+      {
+        scale = std::max(scale * std::pow(this->Tolerance / *got, 1.0 / Order), LeastScale);
+      }
+    }
+    return accept(scale);
+  }
+
+  const double Tolerance;
+  const Effort First;
+  const DrawPilot& Draw;
+  std::map<std::pair<int, double>, Pixels> Pictures;
+  const Pixels* Truth = nullptr;
+  Effort Least;
+};
 }
 
 StepWeights::StepWeights(const TransferTable& table)
@@ -88,39 +250,8 @@ double StepWeights::step(const ValueRange& range, double width) const
   return weight * longest > this->Whole ? std::cbrt(this->Whole / weight) : LongestStep;
 }
 
-std::optional<double> findStepScale(double tolerance, double first, const DrawAtStepScale& draw)
+std::optional<Effort> findEffort(double tolerance, const Effort& first, const DrawPilot& draw)
 {
-  std::vector<glm::vec4> picture;
-  std::vector<glm::vec4> finer;
-  double scale = std::min(first, 1.0);
-  double lastScale = scale;
-  double lastError = 0.0;
-  for (int round = 0; round < Rounds; ++round)
-  {
-    draw(scale, picture);
-    draw(0.5 * scale, finer);
-    const std::optional<double> difference = differenceOfDrawn(picture, finer);
-    if (!difference)
-    {
-      return std::nullopt;
-    }
-    double error = ErrorPerDifference * *difference;
-    if (scale > lastScale)
-    {
-      // Steps longer than regions all look alike, which hides their error.
-      error = std::max(error, lastError * scale / lastScale);
-    }
-    const double change =
-      error > 0.0 ? std::pow(tolerance / error, 1.0 / Order) : GreatestStepScale / LeastScale;
-    const double next = glm::clamp(scale * change, LeastScale, GreatestStepScale);
-    if (std::max(change, 1.0 / change) <= Near || next == scale)
-    {
-      break;
-    }
-    lastScale = scale;
-    lastError = error;
-    scale = next;
-  }
-  return scale;
+  return Pilot(tolerance, first, draw).find();
 }
 }

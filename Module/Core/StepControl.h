@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps from the error: how long intervals may be in one region beside another, and for the picture
-// to err by as much as asked for.
+// Work from the error: how long intervals may be in one region beside another, and with how few
+// levels, for the picture to err by as much as asked for.
 #ifndef ExaBricksCoreStepControl_h
 #define ExaBricksCoreStepControl_h
 
@@ -35,17 +35,27 @@ private:
   double Whole = 0.0;
 };
 
-/// Pixels of a picture, premultiplied, at a step scale.
-using DrawAtStepScale = std::function<void(double stepScale, std::vector<glm::vec4>& picture)>;
+/// What a picture is drawn with.
+struct Effort
+{
+  int levelsLeftOut = 0; // of the finest, see Coarsening
+  double stepScale = 1.0;
+  double fullStepScale = 1.0; // one that does with all levels, ...
+  double checkedFor = 0.0;    // ... as was found for this tolerance; 0: as far as one knows
+};
+
+/// Draws some pixels of a picture, premultiplied. False: there are not so many levels to leave out.
+using DrawPilot =
+  std::function<bool(int levelsLeftOut, double stepScale, std::vector<glm::vec4>& picture)>;
 
 constexpr double GreatestStepScale = 4.0;
 
-/// The step scale, up to GreatestStepScale, at which pictures err by `tolerance`, as a root mean
-/// square over the channels of the pixels that are drawn (opacity of at least 1/255), found from a
-/// sparse picture: the difference to half the step tells the error, the order at which it falls
-/// tells the step. `first`: where to begin; it is kept if it does. None if fewer than 100 pixels
-/// are drawn.
-std::optional<double> findStepScale(double tolerance, double first, const DrawAtStepScale& draw);
+/// The least effort, up to GreatestStepScale, with which pictures err by `tolerance`, as a root
+/// mean square over the channels of the pixels that are drawn (opacity of at least 1/255), found
+/// from a sparse picture: the difference to half the step tells the error, the order at which it
+/// falls tells the step; the difference to all levels tells what those left out are worth. `first`:
+/// where to begin; it is kept if it does. None if fewer than 100 pixels are drawn.
+std::optional<Effort> findEffort(double tolerance, const Effort& first, const DrawPilot& draw);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/VolumeRenderer.h"
 
+#include "Core/Coarsening.h"
 #include "Core/TransferTable.h"
 #include "Vulkan/DeviceVolume.h"
 #include "Vulkan/MarchPass.h"
@@ -37,6 +38,16 @@ ActiveRegions selectAllRegions(Volume volume, bool boxes)
   return selectActiveRegions(
     volume, TransferFunction({ { 0.0, glm::dvec4(1.0) } }), nullptr, boxes);
 }
+
+// The subject, or what is left of it without some of its finest levels.
+struct Detail
+{
+  std::unique_ptr<const CoarserVolume> made; // none: the subject itself
+  Volume volume;
+  glm::dmat4 fromHalfCells{ 1.0 };                // of the subject
+  std::unique_ptr<vulkan::DeviceVolume> onDevice; // none: not yet, or no longer
+  bool opacityReady = false;
+};
 }
 
 struct VolumeRenderer::Internals
@@ -45,21 +56,23 @@ struct VolumeRenderer::Internals
   std::string Wanted;
   Traversal WantedTraversal = Traversal::Automatic;
   std::shared_ptr<const MarchProgram> Program;
-  Volume Subject;
   TransferFunction Transfer;
 
-  // What is on the device. Rebuilt from the above when the device was lost.
+  std::vector<Detail>
+    Details;                 // the subject, and then one level less each; none: there is no subject
+  bool CoarsestMade = false; // and there are no more levels to leave out
+
+  // What is on the device, beside the details' own. Rebuilt from the above when the device was
+  // lost.
   std::shared_ptr<vulkan::Device> Device;
-  std::unique_ptr<vulkan::DeviceVolume> OnDevice; // the subject
   vulkan::Buffer Bins;
   vulkan::Buffer Knots;
   float IntegralUnit = 1.0f;
   vulkan::Buffer Extra;
   std::unique_ptr<vulkan::MarchPass> Pass;
   bool ColorsReady = false;
-  bool OpacityReady = false;
-  bool Weighted = false;   // steps are, by what they err
-  double PilotScale = 1.0; // found last
+  bool Weighted = false; // steps are, by what they err
+  Effort Last;           // found last
   bool ProgramReady = false;
   bool SceneFailed = false; // the volume is too much for an acceleration structure
   std::string Fault;        // does not go away until something is set anew
@@ -69,8 +82,19 @@ struct VolumeRenderer::Internals
   void DropVolume()
   {
     this->SceneFailed = false;
-    this->OnDevice.reset();
-    this->OpacityReady = false;
+    for (Detail& detail : this->Details)
+    {
+      detail.onDevice.reset();
+      detail.opacityReady = false;
+    }
+  }
+
+  void DropOpacity()
+  {
+    for (Detail& detail : this->Details)
+    {
+      detail.opacityReady = false;
+    }
   }
 
   void DropProgram()
@@ -112,21 +136,9 @@ struct VolumeRenderer::Internals
     }
     if (traversal != this->Figures.traversal)
     {
-      this->OpacityReady = false; // each traversal has its own form of them
+      this->DropOpacity(); // each traversal has its own form of them
       this->Figures.traversal = traversal;
     }
-  }
-
-  void UpdateVolume()
-  {
-    if (this->OnDevice)
-    {
-      return;
-    }
-    const Stopwatch watch;
-    this->DropVolume();
-    this->OnDevice = std::make_unique<vulkan::DeviceVolume>(this->Device, this->Subject);
-    this->Figures.uploadTime = watch.seconds();
   }
 
   void UpdateColors()
@@ -144,48 +156,108 @@ struct VolumeRenderer::Internals
     this->Figures.colorTime = watch.seconds();
   }
 
-  ActiveRegions SelectActiveRegions(bool boxes) const
+  ActiveRegions SelectActiveRegions(const Volume& volume, bool boxes) const
   {
     if (this->Program && !this->Program->skipsSpace)
     {
-      return selectAllRegions(this->Subject, boxes);
+      return selectAllRegions(volume, boxes);
     }
     std::optional<StepWeights> weights;
     if (this->Weighted)
     {
       weights.emplace(TransferTable(this->Transfer));
     }
-    return selectActiveRegions(this->Subject, this->Transfer, weights ? &*weights : nullptr, boxes);
+    return selectActiveRegions(volume, this->Transfer, weights ? &*weights : nullptr, boxes);
   }
 
-  void UpdateActiveRegions()
+  // Brings a detail up to date on the device.
+  void UpdateDetail(Detail& detail)
   {
-    if (this->OpacityReady)
+    if (!detail.onDevice)
+    {
+      const Stopwatch watch;
+      detail.opacityReady = false;
+      detail.onDevice = std::make_unique<vulkan::DeviceVolume>(this->Device, detail.volume);
+      if (!detail.made)
+      {
+        this->Figures.uploadTime = watch.seconds();
+      }
+    }
+    if (detail.opacityReady)
     {
       return;
     }
     const Stopwatch watch;
     try
     {
-      this->OnDevice->setActive(
-        this->SelectActiveRegions(this->Figures.traversal == Traversal::RayQuery));
+      detail.onDevice->setActive(
+        this->SelectActiveRegions(detail.volume, this->Figures.traversal == Traversal::RayQuery));
     }
     catch (const vulkan::Failure&)
     {
       if (this->Figures.traversal == Traversal::KdTree ||
-        this->WantedTraversal != Traversal::Automatic)
+        this->WantedTraversal != Traversal::Automatic || detail.made)
       {
         throw;
       }
       // Too many boxes, or no memory for them: the k-d tree takes a fifth of it.
       this->SceneFailed = true;
       this->Figures.traversal = Traversal::KdTree;
-      this->OnDevice->setActive(this->SelectActiveRegions(false));
+      detail.onDevice->setActive(this->SelectActiveRegions(detail.volume, false));
     }
-    this->Figures.activeRegions = this->OnDevice->activeRegions();
-    this->Figures.activeBoxes = this->OnDevice->activeBoxes();
-    this->OpacityReady = true;
-    this->Figures.opacityTime = watch.seconds();
+    detail.opacityReady = true;
+    if (!detail.made)
+    {
+      this->Figures.opacityTime = watch.seconds();
+    }
+  }
+
+  // The subject without so many levels, up to date; null: it has not so many to leave out, or there
+  // is no memory to do so.
+  Detail* FindDetail(int levelsLeftOut)
+  {
+    if (levelsLeftOut <= 0)
+    {
+      return &this->Details.front(); // Update() has seen to it
+    }
+    try
+    {
+      while (levelsLeftOut >= static_cast<int>(this->Details.size()))
+      {
+        const Detail& finer = this->Details.back();
+        Detail detail;
+        detail.made = this->CoarsestMade ? nullptr : coarsen(finer.volume);
+        if (!detail.made)
+        {
+          this->CoarsestMade = true;
+          return nullptr;
+        }
+        detail.volume = detail.made->volume();
+        detail.fromHalfCells = detail.made->fromHalfCells * finer.fromHalfCells;
+        this->Details.push_back(std::move(detail));
+      }
+      this->UpdateDetail(this->Details[levelsLeftOut]);
+      return &this->Details[levelsLeftOut];
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
+    catch (const vulkan::Failure&)
+    {
+    }
+    this->DropCoarser(levelsLeftOut);
+    this->CoarsestMade = true;
+    return nullptr;
+  }
+
+  // Leaves details with fewer levels left out than that, at least the subject.
+  void DropCoarser(int levelsLeftOut)
+  {
+    const auto most = static_cast<std::size_t>(std::max(levelsLeftOut, 1));
+    if (this->Details.size() > most)
+    {
+      this->Details.erase(this->Details.begin() + most, this->Details.end());
+    }
   }
 
   void UpdateProgram()
@@ -201,24 +273,34 @@ struct VolumeRenderer::Internals
   {
     this->UpdateDevice();
     this->UpdateProgram();
-    if (this->Subject.tree)
+    if (!this->Details.empty())
     {
-      this->UpdateVolume();
       this->UpdateColors();
-      this->UpdateActiveRegions();
+      Detail& subject = this->Details.front();
+      this->UpdateDetail(subject);
+      this->Figures.activeRegions = subject.onDevice->activeRegions();
+      this->Figures.activeBoxes = subject.onDevice->activeBoxes();
     }
-    this->Figures.deviceBytes = this->Bins.bytes() + this->Knots.bytes() + this->Extra.bytes() +
-      (this->OnDevice ? this->OnDevice->bytes() : 0);
+    this->CountBytes();
   }
 
-  // Draws some of the view's pixels until it knows which steps err as much as they may; more of
-  // them where few show anything.
-  double FindStepScale(const layout::Frame& frame, const View& view)
+  void CountBytes()
+  {
+    this->Figures.deviceBytes = this->Bins.bytes() + this->Knots.bytes() + this->Extra.bytes();
+    for (const Detail& detail : this->Details)
+    {
+      this->Figures.deviceBytes += detail.onDevice ? detail.onDevice->bytes() : 0;
+    }
+  }
+
+  // Draws some of the view's pixels until it knows which levels and steps err as much as they may;
+  // more of them where few show anything.
+  Effort FindEffort(const View& view)
   {
     const Stopwatch watch;
-    std::optional<double> scale;
+    std::optional<Effort> effort;
     const double pixels = static_cast<double>(view.width) * view.height;
-    for (double some = PilotPixels; !scale; some *= 8.0)
+    for (double some = PilotPixels; !effort; some *= 8.0)
     {
       const double sparse = std::max(1.0, std::sqrt(pixels / some));
       View pilot = view;
@@ -239,20 +321,53 @@ struct VolumeRenderer::Internals
         }
         pilot.depth = depth.data();
       }
-      scale = findStepScale(view.errorTolerance, this->PilotScale,
-        [&](double stepScale, std::vector<glm::vec4>& picture)
+      effort = findEffort(view.errorTolerance, this->Last,
+        [&](int levelsLeftOut, double stepScale, std::vector<glm::vec4>& picture)
         {
-          pilot.stepScale = stepScale;
-          this->Pass->run(frame, pilot, picture);
+          const Detail* detail = levelsLeftOut <= view.levelsLeftOut.value_or(levelsLeftOut)
+            ? this->FindDetail(levelsLeftOut)
+            : nullptr;
+          if (detail)
+          {
+            pilot.stepScale = stepScale;
+            this->Draw(*detail, pilot, picture);
+          }
+          return detail != nullptr;
         });
-      if (!scale && some >= pixels)
+      if (!effort && some >= pixels)
       {
-        scale = std::min(this->PilotScale, 1.0); // next to nothing is drawn
+        // next to nothing is drawn
+        const double scale = std::min(this->Last.fullStepScale, 1.0);
+        effort = Effort{ 0, scale, scale, 0.0 };
       }
     }
-    this->PilotScale = *scale; // the next picture is likely to be much like this one
+    this->Last = *effort; // the next picture is likely to be much like this one
     this->Figures.pilotTime = watch.seconds();
-    return *scale;
+    return *effort;
+  }
+
+  void Draw(const Detail& detail, View view, std::vector<glm::vec4>& picture)
+  {
+    if (detail.onDevice->activeBoxes() == 0)
+    {
+      picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
+      return;
+    }
+    if (!this->Pass || this->Pass->traversal() != this->Figures.traversal ||
+      this->Pass->reconstruction() != view.reconstruction)
+    {
+      this->Pass = std::make_unique<vulkan::MarchPass>(
+        this->Device, this->Figures.traversal, view.reconstruction, this->Program.get());
+    }
+    layout::Frame frame{};
+    detail.onDevice->fill(frame);
+    frame.transferBins = this->Bins.address();
+    frame.transferKnots = this->Knots.address();
+    frame.integralUnit = this->IntegralUnit;
+    frame.extra = this->Extra.address();
+    frame.veiled = this->Weighted ? 1.0f / 3.0f : 0.0f; // as StepWeights has it
+    view.ndcToHalfCells = detail.fromHalfCells * view.ndcToHalfCells;
+    this->Pass->run(frame, view, picture);
   }
 
   void March(View view, std::vector<glm::vec4>& picture)
@@ -262,36 +377,39 @@ struct VolumeRenderer::Internals
     if (weighted != this->Weighted)
     {
       this->Weighted = weighted;
-      this->OpacityReady = false;
+      this->DropOpacity();
+      this->DropCoarser(1);
+      this->CoarsestMade = false;
     }
     this->Update();
-    if (!this->Pass || this->Pass->traversal() != this->Figures.traversal ||
-      this->Pass->reconstruction() != view.reconstruction)
-    {
-      this->Pass = std::make_unique<vulkan::MarchPass>(
-        this->Device, this->Figures.traversal, view.reconstruction, this->Program.get());
-    }
-    if (!this->Subject.tree || this->Figures.activeBoxes == 0)
+    if (this->Details.empty())
     {
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
     }
-    layout::Frame frame{};
-    this->OnDevice->fill(frame);
-    frame.transferBins = this->Bins.address();
-    frame.transferKnots = this->Knots.address();
-    frame.integralUnit = this->IntegralUnit;
-    frame.extra = this->Extra.address();
     if (weighted)
     {
-      frame.veiled = 1.0f / 3.0f; // as StepWeights has it
       view.terminationOpacity = std::max(1.0 - 0.25 * view.errorTolerance, 0.5);
-      // What another program draws may be no picture.
-      view.stepScale = this->Program ? view.stepScale : this->FindStepScale(frame, view);
     }
-    this->Figures.stepScale = view.stepScale;
+    Effort effort;
+    if (weighted && !this->Program) // what that draws may be no picture
+    {
+      effort = this->FindEffort(view);
+    }
+    else
+    {
+      effort.stepScale = view.stepScale;
+      effort.levelsLeftOut = view.levelsLeftOut.value_or(0);
+      while (!this->FindDetail(effort.levelsLeftOut))
+      {
+        --effort.levelsLeftOut;
+      }
+    }
+    this->CountBytes();
+    this->Figures.stepScale = view.stepScale = effort.stepScale;
+    this->Figures.levelsLeftOut = effort.levelsLeftOut;
     const Stopwatch watch;
-    this->Pass->run(frame, view, picture);
+    this->Draw(this->Details[effort.levelsLeftOut], view, picture);
     this->Figures.marchTime = watch.seconds();
   }
 
@@ -377,7 +495,7 @@ void VolumeRenderer::selectProgram(std::shared_ptr<const MarchProgram> program)
   {
     this->Data->Fault.clear();
     this->Data->DropProgram();
-    this->Data->OpacityReady = false; // a program may skip other regions
+    this->Data->DropOpacity(); // a program may skip other regions
     this->Data->Program = std::move(program);
   }
 }
@@ -386,15 +504,25 @@ void VolumeRenderer::setVolume(const Volume& volume)
 {
   this->Data->Fault.clear();
   this->Data->DropVolume();
-  this->Data->Subject = volume;
+  this->Data->Last.checkedFor = 0.0;
+  this->Data->Details.clear();
+  this->Data->CoarsestMade = false;
+  if (volume.tree)
+  {
+    this->Data->Details.emplace_back();
+    this->Data->Details.back().volume = volume;
+  }
 }
 
 void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Fault.clear();
   this->Data->ColorsReady = false;
-  this->Data->OpacityReady = this->Data->OpacityReady && !this->Data->Weighted &&
-    transfer.showsTheSame(this->Data->Transfer);
+  this->Data->Last.checkedFor = 0.0;
+  if (this->Data->Weighted || !transfer.showsTheSame(this->Data->Transfer))
+  {
+    this->Data->DropOpacity();
+  }
   this->Data->Transfer = transfer;
 }
 
@@ -405,8 +533,10 @@ std::string VolumeRenderer::prepare()
 
 std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& picture)
 {
-  const Scalars* scalars = this->Data->Subject.scalars;
-  if (scalars && (view.reconstruction == Reconstruction::Completed) != (scalars->layer == 1))
+  const std::vector<Detail>& details = this->Data->Details;
+  if (!details.empty() &&
+    (view.reconstruction == Reconstruction::Completed) !=
+      (details.front().volume.scalars->layer == 1))
   {
     return "the volume's scalars do not fit the reconstruction: completed ones, with a layer "
            "around "

@@ -11,6 +11,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace exabricks
@@ -40,8 +41,12 @@ struct View
   Reconstruction reconstruction = Reconstruction::Basis;
   double stepScale = 1.0; // step in cells of the region's finest brick
   /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
-  /// and early termination with them; 0: stepScale and terminationOpacity alone count.
+  /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
+  /// terminationOpacity alone count, and all levels are drawn.
   double errorTolerance = 0.0;
+  /// So many of the finest levels are left out, and with an errorTolerance that steps are chosen
+  /// for at most so many; none: as many as it allows.
+  std::optional<int> levelsLeftOut;
   double opacityUnitDistance = 1.0; // world length
   double terminationOpacity = 0.999;
 };
@@ -92,12 +97,13 @@ public:
     std::size_t activeBoxes = 0; // regions and parts of regions that the traversal is left with
     std::uint64_t deviceBytes = 0;
     double stepScale = 1.0; // of the last picture
+    int levelsLeftOut = 0;  // of the finest, in the last picture
     // seconds, of the last time each was done
     double uploadTime = 0.0;  // bricks, regions, values
     double colorTime = 0.0;   // transfer function tables
     double opacityTime = 0.0; // active regions, acceleration structure or pruned tree
     double marchTime = 0.0;
-    double pilotTime = 0.0; // choosing steps for an error tolerance
+    double pilotTime = 0.0; // choosing levels and steps for an error tolerance
   };
   const Statistics& statistics() const;
 

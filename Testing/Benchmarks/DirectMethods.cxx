@@ -122,6 +122,7 @@ double DirectMethod::samples(const Size& size, double value)
   {
     this->draw(view);
     view.stepScale = this->statistics().stepScale;
+    view.levelsLeftOut = this->statistics().levelsLeftOut;
   }
   check(this->Counter->render(view, counts));
   double sum = 0.0;
@@ -164,8 +165,19 @@ std::vector<MethodKind> listDirectMethods()
   const MethodKind tolerance{ "basis, by tolerance", Role::Ours, ErrorTolerance,
     { 0.03, 0.02, 0.01, 0.005, 0.002, 0.001 }, { 0.01, 0.002 }, Field::Basis, maker(byTolerance),
     true };
+  DirectSettings allLevels;
+  allLevels.apply = [](double value, View& view)
+  {
+    view.errorTolerance = value;
+    view.levelsLeftOut = 0;
+  };
+  MethodKind toleranceOfAll = tolerance;
+  toleranceOfAll.name = "by tolerance, all levels";
+  toleranceOfAll.few = {};
+  toleranceOfAll.make = maker(allLevels);
   return { line("basis, k-d tree", Reconstruction::Basis, Traversal::KdTree, Field::Basis),
-    tolerance, line("basis, ray query", Reconstruction::Basis, Traversal::RayQuery, Field::Basis),
+    tolerance, toleranceOfAll,
+    line("basis, ray query", Reconstruction::Basis, Traversal::RayQuery, Field::Basis),
     line("nearest, k-d tree", Reconstruction::Nearest, Traversal::KdTree, Field::Nearest),
     line("nearest, ray query", Reconstruction::Nearest, Traversal::RayQuery, Field::Nearest),
     line("completed, k-d tree", Reconstruction::Completed, Traversal::KdTree, std::nullopt),

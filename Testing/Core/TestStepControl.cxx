@@ -17,24 +17,38 @@ StepWeights makeWeights()
       { 0.505, { 1, 1, 1, 0.0 } }, { 0.6, { 1, 1, 1, 0.0 } }, { 1.0, { 1, 1, 1, 0.1 } } })));
 }
 
-// Pixels that err by c * scale^order, some up and some down, around the truth.
+// Pixels that err by c * scale^order, some up and some down, around the truth; and by what the
+// levels left out do, in other pixels up and down.
 struct Model
 {
   double error;
   double order;
+  std::vector<double> levels = {}; // errors without 1, 2, ... levels
   int drawn = 0;
 
-  void operator()(double scale, std::vector<glm::vec4>& picture)
+  bool operator()(int levelsLeftOut, double scale, std::vector<glm::vec4>& picture)
   {
+    if (levelsLeftOut > static_cast<int>(this->levels.size()))
+    {
+      return false;
+    }
     ++this->drawn;
+    const double coarse = levelsLeftOut > 0 ? this->levels[levelsLeftOut - 1] : 0.0;
     picture.assign(1000, glm::vec4(0.0f)); // half of them are background
     for (int i = 0; i < 500; ++i)
     {
-      const double off = (i % 2 ? 1.0 : -1.0) * this->error * std::pow(scale, this->order);
+      const double off = (i % 2 ? 1.0 : -1.0) * this->error * std::pow(scale, this->order) +
+        (i % 4 < 2 ? 1.0 : -1.0) * coarse;
       picture[i] = glm::vec4(static_cast<float>(0.5 + off));
     }
+    return true;
   }
 };
+
+double findStepScale(double tolerance, double first, Model& model)
+{
+  return findEffort(tolerance, { 0, first, first, 0.0 }, std::ref(model))->stepScale;
+}
 }
 
 TEST(StepWeights, AreLongWhereNothingVaries)
@@ -66,7 +80,7 @@ TEST(StepControl, FindsTheStepOfAnError)
     for (const double tolerance : { 0.02, 0.001 })
     {
       Model model{ 0.004, order };
-      const double scale = *findStepScale(tolerance, 1.0, std::ref(model));
+      const double scale = findStepScale(tolerance, 1.0, model);
       const double got = 0.004 * std::pow(scale, order);
       EXPECT_LE(got, 2.0 * tolerance) << order;
       EXPECT_GE(got, 0.5 * tolerance) << order;
@@ -77,31 +91,65 @@ TEST(StepControl, FindsTheStepOfAnError)
 TEST(StepControl, KeepsAStepThatDoes)
 {
   Model model{ 0.004, 1.7 };
-  const double scale = *findStepScale(0.001, 1.0, std::ref(model));
+  const double scale = findStepScale(0.001, 1.0, model);
   model.drawn = 0;
-  EXPECT_EQ(*findStepScale(0.001, scale, std::ref(model)), scale);
+  EXPECT_EQ(findStepScale(0.001, scale, model), scale);
   EXPECT_EQ(model.drawn, 2); // as little as it takes to know
 }
 
 TEST(StepControl, EndsWhereNothingErrs)
 {
   Model exact{ 0.0, 2.0 };
-  EXPECT_EQ(*findStepScale(0.001, 1.0, std::ref(exact)), GreatestStepScale);
+  EXPECT_EQ(findStepScale(0.001, 1.0, exact), GreatestStepScale);
 }
 
 TEST(StepControl, SaysWhenTooFewPixelsAreDrawn)
 {
-  EXPECT_FALSE(findStepScale(0.001, 1.0,
-    [](double, std::vector<glm::vec4>& picture) { picture.assign(99, glm::vec4(1.0f)); }));
+  EXPECT_FALSE(findEffort(0.001, {},
+    [](int levelsLeftOut, double, std::vector<glm::vec4>& picture)
+    {
+      picture.assign(99, glm::vec4(1.0f));
+      return levelsLeftOut == 0;
+    }));
 }
 
 TEST(StepControl, DoesNotTakeStepsThatLookAlikeForGood)
 {
   // From a scale of 2 on each region is one interval: nothing more changes, and all is as wrong.
   Model model{ 0.004, 2.0 };
-  const auto saturated = [&](double scale, std::vector<glm::vec4>& picture)
-  { model(std::min(scale, 2.0), picture); };
-  const double scale = *findStepScale(0.012, 1.0, saturated);
+  const auto saturated = [&](int levelsLeftOut, double scale, std::vector<glm::vec4>& picture)
+  { return model(levelsLeftOut, std::min(scale, 2.0), picture); };
+  const double scale = findEffort(0.012, {}, saturated)->stepScale;
   EXPECT_LE(0.004 * std::pow(std::min(scale, 2.0), 2.0), 2.0 * 0.012);
   EXPECT_LT(scale, GreatestStepScale);
+}
+
+TEST(StepControl, LeavesOutLevelsThatTheErrorAllows)
+{
+  Model model{ 0.004, 1.7, { 0.0001, 0.004, 0.02 } };
+  const auto got = [&](const Effort& effort)
+  {
+    const double steps = model.error * std::pow(effort.stepScale, model.order);
+    const double levels = effort.levelsLeftOut > 0 ? model.levels[effort.levelsLeftOut - 1] : 0.0;
+    return std::sqrt(steps * steps + levels * levels);
+  };
+  Effort effort; // goes on from picture to picture
+  for (const auto& [tolerance, expected] : std::vector<std::pair<double, int>>{
+         { 0.01, 2 }, { 0.01, 2 }, { 0.1, 3 }, { 0.002, 1 }, { 0.0001, 0 }, { 0.05, 3 } })
+  {
+    effort = *findEffort(tolerance, effort, std::ref(model));
+    EXPECT_EQ(effort.levelsLeftOut, expected) << tolerance;
+    EXPECT_LE(got(effort), 1.5 * tolerance);
+    EXPECT_TRUE(got(effort) >= 0.5 * tolerance || effort.stepScale == GreatestStepScale);
+  }
+}
+
+TEST(StepControl, AsksForLittleMoreWhereLevelsAreNeeded)
+{
+  Model model{ 0.004, 1.7, { 0.5 } };
+  const Effort effort = *findEffort(0.001, {}, std::ref(model));
+  EXPECT_EQ(effort.levelsLeftOut, 0);
+  model.drawn = 0;
+  EXPECT_EQ(findEffort(0.001, effort, std::ref(model))->stepScale, effort.stepScale);
+  EXPECT_EQ(model.drawn, 3);
 }

@@ -95,3 +95,84 @@ TEST(KeepsTolerance, AndDrawsAsBeforeWithoutOne)
   subject.errorTolerance = 0.0;
   EXPECT_EQ(largestDifference(before, subject.render(view)), 0.0);
 }
+
+namespace
+{
+// Three levels everywhere, of which a smooth field needs none but the coarsest.
+SceneRenderer makeOversampled(const reference::CellField& field)
+{
+  reference::Scene scene;
+  scene.name = "oversampled";
+  scene.hierarchy.cellWidth = { 4, 2, 1 };
+  scene.hierarchy.blocks = { { 0, { Int3(0), Int3(24) } }, { 1, { Int3(0), Int3(48) } },
+    { 2, { Int3(0), Int3(96) } } };
+  scene.cells = reference::fillCells(scene.hierarchy, field);
+  return SceneRenderer(scene);
+}
+
+double smooth(int, const Int3& cell)
+{
+  const glm::dvec3 p = (glm::dvec3(cell) + 0.5) / 96.0;
+  return 0.5 + 0.5 * std::sin(5.0 * p.x) * std::cos(4.0 * p.y + 3.0 * p.z);
+}
+
+double rough(int level, const Int3& cell) { return reference::noise(level, cell, 7); }
+}
+
+TEST(KeepsTolerance, WithoutLevelsThatItAllowsToLeaveOut)
+{
+  SceneRenderer subject = makeOversampled(smooth);
+  subject.setTransfer(TransferFunction(
+    { { 0.0, { 0.2, 0.3, 1, 0.0 } }, { 0.5, { 1, 1, 1, 0.02 } }, { 1.0, { 1, 0.2, 0.1, 0.1 } } }));
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  subject.stepScale = 0.25;
+  const reference::Image truth = subject.render(view);
+  for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+  {
+    subject.renderer.selectTraversal(traversal);
+    subject.errorTolerance = 0.01;
+    subject.levelsLeftOut.reset();
+    EXPECT_LE(errorOfDrawn(subject.render(view), truth), 0.02);
+    EXPECT_EQ(subject.renderer.statistics().levelsLeftOut, 2);
+    const std::uint64_t bytes = subject.renderer.statistics().deviceBytes;
+    // all of them, if told so
+    subject.levelsLeftOut = 0;
+    subject.render(view);
+    EXPECT_EQ(subject.renderer.statistics().levelsLeftOut, 0);
+    // and none is kept where steps alone count
+    subject.errorTolerance = 0.0;
+    EXPECT_LE(errorOfDrawn(subject.render(view), truth), 1e-6);
+    EXPECT_LT(subject.renderer.statistics().deviceBytes, bytes);
+  }
+}
+
+TEST(KeepsTolerance, WithAllLevelsWhereTheyAreNeeded)
+{
+  SceneRenderer subject = makeOversampled(rough);
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  subject.stepScale = 0.25;
+  const reference::Image truth = subject.render(view);
+  subject.errorTolerance = 0.01;
+  EXPECT_LE(errorOfDrawn(subject.render(view), truth), 0.02);
+  EXPECT_EQ(subject.renderer.statistics().levelsLeftOut, 0);
+  // Without two levels it is another picture, and of the same size in the same place.
+  subject.errorTolerance = 0.0;
+  subject.levelsLeftOut = 2;
+  const reference::Image coarse = subject.render(view);
+  EXPECT_GT(errorOfDrawn(coarse, truth), 0.02);
+  EXPECT_NEAR(coverage(coarse), coverage(truth), 0.2 * coverage(truth));
+  subject.levelsLeftOut = 99; // there are not so many
+  EXPECT_EQ(largestDifference(subject.render(view), coarse), 0.0);
+}
+
+TEST(KeepsTolerance, OfCompletedLevels)
+{
+  SceneRenderer subject = makeOversampled(smooth);
+  subject.complete();
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  subject.stepScale = 0.125;
+  const reference::Image truth = subject.render(view);
+  subject.errorTolerance = 0.02;
+  EXPECT_LE(errorOfDrawn(subject.render(view), truth), 0.04);
+  EXPECT_GT(subject.renderer.statistics().levelsLeftOut, 0);
+}

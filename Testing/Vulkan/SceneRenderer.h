@@ -74,6 +74,7 @@ struct SceneRenderer
     view.opacityUnitDistance = this->opacityUnitDistance;
     view.stepScale = this->stepScale;
     view.errorTolerance = this->errorTolerance;
+    view.levelsLeftOut = this->levelsLeftOut;
     view.terminationOpacity = this->terminationOpacity;
     view.reconstruction = this->reconstruction;
     return view;
@@ -110,6 +111,7 @@ struct SceneRenderer
   double opacityUnitDistance = 1.0;
   double stepScale = 0.25;
   double errorTolerance = 0.0;
+  std::optional<int> levelsLeftOut;
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
 
