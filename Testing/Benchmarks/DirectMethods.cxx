@@ -133,6 +133,17 @@ double DirectMethod::samples(const Size& size, double value)
   return sum / static_cast<double>(counts.size());
 }
 
+DirectSettings toleranceSettings(std::optional<int> levelsLeftOut)
+{
+  DirectSettings settings;
+  settings.apply = [=](double value, View& view)
+  {
+    view.errorTolerance = value;
+    view.levelsLeftOut = levelsLeftOut;
+  };
+  return settings;
+}
+
 namespace
 {
 std::function<std::unique_ptr<Method>(const Scene&)> maker(const DirectSettings& settings)
@@ -147,7 +158,7 @@ std::vector<MethodKind> listDirectMethods()
   const auto line = [](const std::string& name, Reconstruction reconstruction, Traversal traversal,
                       std::optional<Field> field)
   {
-    MethodKind kind{ name, Role::Ours, StepScale, { 2.0, 1.0, 0.5 }, { 1.0, 0.25 }, field,
+    MethodKind kind{ name, Role::Ours, StepScale, { 2.0, 1.0, 0.5 }, { 2.0, 1.0, 0.25 }, field,
       maker({ reconstruction, traversal }) };
     if (reconstruction == Reconstruction::Nearest) // takes whole cells, whatever the step
     {
@@ -160,21 +171,12 @@ std::vector<MethodKind> listDirectMethods()
     }
     return kind;
   };
-  DirectSettings byTolerance;
-  byTolerance.apply = [](double value, View& view) { view.errorTolerance = value; };
-  const MethodKind tolerance{ "basis, by tolerance", Role::Ours, ErrorTolerance,
-    { 0.03, 0.02, 0.01, 0.005, 0.002, 0.001 }, { 0.01, 0.002 }, Field::Basis, maker(byTolerance),
-    true };
-  DirectSettings allLevels;
-  allLevels.apply = [](double value, View& view)
-  {
-    view.errorTolerance = value;
-    view.levelsLeftOut = 0;
-  };
+  const MethodKind tolerance{ ByTolerance, Role::Ours, ErrorTolerance,
+    { 0.03, 0.02, 0.01, 0.005, 0.002, 0.001 }, { 0.01, 0.005, 0.002 }, Field::Basis,
+    maker(toleranceSettings({})), true };
   MethodKind toleranceOfAll = tolerance;
-  toleranceOfAll.name = "by tolerance, all levels";
-  toleranceOfAll.few = {};
-  toleranceOfAll.make = maker(allLevels);
+  toleranceOfAll.name = ByToleranceOfAllLevels;
+  toleranceOfAll.make = maker(toleranceSettings(0));
   return { line("basis, k-d tree", Reconstruction::Basis, Traversal::KdTree, Field::Basis),
     tolerance, toleranceOfAll,
     line("basis, ray query", Reconstruction::Basis, Traversal::RayQuery, Field::Basis),

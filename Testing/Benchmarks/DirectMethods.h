@@ -21,6 +21,10 @@ struct DirectSettings
   std::function<void(double value, View&)> apply = {};
 };
 
+/// Draws by the k-d tree with the error tolerance that the parameter is; `levelsLeftOut` as in
+/// View.
+DirectSettings toleranceSettings(std::optional<int> levelsLeftOut);
+
 class DirectMethod : public Method
 {
 public:

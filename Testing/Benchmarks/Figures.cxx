@@ -12,19 +12,32 @@ namespace benchmarks
 {
 namespace
 {
-double medianFrame(DirectMethod& method, const Size& size, int frames)
+double medianFrame(DirectMethod& method, const Size& size, int frames, double value)
 {
-  if (frames == 0)
-  {
-    return NotMeasured;
-  }
-  method.draw(size, DefaultStepScale);
+  method.draw(size, value);
   Costs costs;
   for (int i = 0; i < frames; ++i)
   {
-    costs.measure([&] { method.draw(size, DefaultStepScale); });
+    costs.measure([&] { method.draw(size, value); });
   }
   return median(costs.wall);
+}
+
+void measureFrames(const Scene& scene, const Size& size, int frames, SceneFigures& figures)
+{
+  const auto frame = [&](const DirectSettings& settings, double value)
+  {
+    DirectMethod method(scene, settings);
+    method.setUp(value);
+    const double seconds = medianFrame(method, size, frames, value);
+    figures.levelsLeftOut = method.statistics().levelsLeftOut;
+    return seconds;
+  };
+  const Reconstruction basis = Reconstruction::Basis;
+  figures.frameKdTree = frame({ basis, Traversal::KdTree }, DefaultStepScale);
+  figures.frameRayQuery = frame({ basis, Traversal::RayQuery }, DefaultStepScale);
+  figures.frameOfAllLevels = frame(toleranceSettings(0), GrowthTolerance);
+  figures.frameByTolerance = frame(toleranceSettings({}), GrowthTolerance);
 }
 }
 
@@ -66,7 +79,6 @@ SceneFigures measureFigures(
     kdTree.setUp(DefaultStepScale);
     figures.kdTreeTotal = static_cast<double>(kdTree.statistics().deviceBytes);
     tables = figures.kdTreeTotal - common - figures.kdTreeBytes;
-    figures.frameKdTree = medianFrame(kdTree, size, frames);
   }
   DirectMethod rayQuery(scene, { Reconstruction::Basis, Traversal::RayQuery });
   rayQuery.setUp(DefaultStepScale);
@@ -74,7 +86,10 @@ SceneFigures measureFigures(
   const std::size_t boxBytes = active.boxes.size() * sizeof(layout::ActiveBox);
   figures.accelerationBytes =
     figures.rayQueryTotal - common - tables - static_cast<double>(boxBytes);
-  figures.frameRayQuery = medianFrame(rayQuery, size, frames);
+  if (frames > 0)
+  {
+    measureFrames(scene, size, frames, figures);
+  }
   return figures;
 }
 }

@@ -31,6 +31,11 @@ void measureGrowth(const SceneKind& kind, double largest, const Size& size, Resu
     }
     say(kind.name + ": growth, " + text + " leaf cells");
     const Scene scene(kind.make(cells));
+    if (cells > 1e5 &&
+      results.growth.back().leafCells == static_cast<double>(scene.structure().leafCells))
+    {
+      continue; // not made any smaller
+    }
     results.growth.push_back(measureFigures(scene, kind.group, size, Frames));
     results.growth.back().scene = kind.name;
   }

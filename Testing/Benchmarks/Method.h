@@ -75,6 +75,8 @@ constexpr double DefaultStepScale = 1.0;
 // Names that reports look for.
 extern const char* const CellLocation;
 extern const char* const NativeMarch;
+extern const char* const ByTolerance;
+extern const char* const ByToleranceOfAllLevels;
 
 std::vector<MethodKind> listMethods();
 

@@ -351,6 +351,9 @@ void drawCharts(const Results& results, const std::string& folder)
       { "values", &SceneFigures::gatherTime, 1.0 }, { "ranges", &SceneFigures::rangesTime, 1.0 },
       { "frame, k-d tree", &SceneFigures::frameKdTree, 1.0 },
       { "frame, ray query", &SceneFigures::frameRayQuery, 1.0 } });
+  drawGrowth(results, folder, "Growth of frames by tolerance", "seconds",
+    { { "all levels", &SceneFigures::frameOfAllLevels, 1.0 },
+      { "some left out", &SceneFigures::frameByTolerance, 1.0 } });
   drawGrowth(results, folder, "Growth of memory", "MiB",
     { { "scalars", &SceneFigures::scalarBytes, mib }, { "bricks", &SceneFigures::brickBytes, mib },
       { "regions on the host", &SceneFigures::regionHostBytes, mib },

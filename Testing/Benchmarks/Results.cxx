@@ -54,6 +54,9 @@ const Column<SceneFigures> sceneColumns[] = { { "levels", &SceneFigures::levels,
   { "host_mib", &SceneFigures::hostBytes, MiB },
   { "frame_kd_tree_ms", &SceneFigures::frameKdTree, Milli },
   { "frame_ray_query_ms", &SceneFigures::frameRayQuery, Milli },
+  { "frame_by_tolerance_ms", &SceneFigures::frameByTolerance, Milli },
+  { "frame_of_all_levels_ms", &SceneFigures::frameOfAllLevels, Milli },
+  { "levels_left_out", &SceneFigures::levelsLeftOut, 1 },
   { "truth_s", &SceneFigures::truthTime, 1 }, { "truth_error", &SceneFigures::truthError, 1 },
   { "mean_opacity", &SceneFigures::meanOpacity, 1 } };
 

@@ -41,6 +41,9 @@ struct Result
   std::string note;
 };
 
+/// The error tolerance that growth is measured with.
+constexpr double GrowthTolerance = 0.01;
+
 /// What a scene is cut into, and what that takes.
 struct SceneFigures
 {
@@ -67,7 +70,10 @@ struct SceneFigures
   double hostBytes = NotMeasured;
   double frameKdTree = NotMeasured; // seconds, basis, step 1; where growth is measured
   double frameRayQuery = NotMeasured;
-  double truthTime = NotMeasured; // seconds
+  double frameByTolerance = NotMeasured; // k-d tree, GrowthTolerance
+  double frameOfAllLevels = NotMeasured; // so too, and none left out
+  double levelsLeftOut = NotMeasured;    // in the former
+  double truthTime = NotMeasured;        // seconds
   double truthError = NotMeasured;
   double meanOpacity = NotMeasured;
 };

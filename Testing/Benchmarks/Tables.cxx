@@ -60,15 +60,17 @@ std::string growthTable(const std::vector<SceneFigures>& scenes)
 {
   std::string text =
     row({ "scene", "leaf cells", "structure s", "values and ranges s", "frame ms, k-d tree",
-      "frame ms, ray query", "host MiB", "device MiB, k-d tree", "device MiB, ray query",
-      "bytes per cell, k-d tree" }) +
-    rule(10);
+      "frame ms, ray query", "by tolerance, all levels", "by tolerance", "levels left out",
+      "host MiB", "device MiB, k-d tree", "device MiB, ray query", "bytes per cell, k-d tree" }) +
+    rule(13);
   for (const SceneFigures& scene : scenes)
   {
     text += row({ scene.scene, number(scene.leafCells, "%.3g"), seconds(scene.structureTime),
       seconds(scene.gatherTime + scene.rangesTime), milliseconds(scene.frameKdTree),
-      milliseconds(scene.frameRayQuery), mib(scene.hostBytes), mib(scene.kdTreeTotal),
-      mib(scene.rayQueryTotal), number(scene.kdTreeTotal / scene.leafCells, "%.1f") });
+      milliseconds(scene.frameRayQuery), milliseconds(scene.frameOfAllLevels),
+      milliseconds(scene.frameByTolerance), count(scene.levelsLeftOut), mib(scene.hostBytes),
+      mib(scene.kdTreeTotal), mib(scene.rayQueryTotal),
+      number(scene.kdTreeTotal / scene.leafCells, "%.1f") });
   }
   return text;
 }
@@ -281,7 +283,7 @@ std::map<std::string, std::string> makeTables(const Results& results)
     { "orders.md", ordersTable(results) }, { "changes.md", changesTable(results.changes) },
     { "target_frame.md", frameTargetTable(results) },
     { "target_native.md", nativeTargetTable(results) },
-    { "target_tolerance.md", toleranceTargetTable(results) },
+    { "target_tolerance.md", toleranceTargetTable(results) }, { "levels.md", levelsTable(results) },
     { "target_samples.md", samplesTargetTable(results) },
     { "source_times.md", sourceTimesTable(results) },
     { "source_memory.md", sourceMemoryTable(results) } };

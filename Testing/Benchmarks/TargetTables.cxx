@@ -108,7 +108,7 @@ std::string toleranceTargetTable(const Results& results)
   std::string text;
   for (const Result& r : results.rows)
   {
-    if (r.parameter == ErrorTolerance && !std::isnan(r.psnrRGBADrawn))
+    if (r.method == ByTolerance && !std::isnan(r.psnrRGBADrawn))
     {
       const double got = std::pow(10.0, -r.psnrRGBADrawn / 20.0);
       const double ratio = got / r.value;
@@ -121,6 +121,28 @@ std::string toleranceTargetTable(const Results& results)
   return text.empty()
     ? text
     : row({ "scene", "asked for", "got", "got / asked for", "" }) + rule(5) + text;
+}
+
+std::string levelsTable(const Results& results)
+{
+  std::string text;
+  for (const Result& r : results.rows)
+  {
+    const Result* all =
+      r.method == ByTolerance ? find(results, r.scene, ByToleranceOfAllLevels, r.value) : nullptr;
+    // Pilots that begin elsewhere may end elsewhere.
+    if (all && r.samples < 0.9 * all->samples)
+    {
+      text += row({ r.scene, number(r.value, "%g"), milliseconds(all->cpu), milliseconds(r.cpu),
+        number(r.cpu / all->cpu, "%.2f"), number(all->samples, "%.1f"), number(r.samples, "%.1f"),
+        number(all->psnrRGBADrawn, "%.1f"), number(r.psnrRGBADrawn, "%.1f") });
+    }
+  }
+  return text.empty()
+    ? text
+    : row({ "scene", "error tolerance", "all levels: CPU ms", "some left out: CPU ms", "ratio",
+        "all levels: samples", "some left out", "all levels: dB, RGBA drawn", "some left out" }) +
+      rule(9) + text;
 }
 
 namespace
@@ -160,7 +182,7 @@ std::string samplesTargetTable(const Results& results)
     for (const double decibels : { 50.0, 60.0, 70.0 })
     {
       const double fixed = samplesAt(results, scene, "basis, k-d tree", decibels);
-      const double chosen = samplesAt(results, scene, "basis, by tolerance", decibels);
+      const double chosen = samplesAt(results, scene, ByTolerance, decibels);
       const double ratio = chosen / fixed;
       if (!std::isnan(ratio))
       {

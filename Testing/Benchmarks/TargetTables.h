@@ -19,6 +19,9 @@ std::string frameTargetTable(const Results& results);
 std::string nativeTargetTable(const Results& results);
 /// The error that was asked for and the one got, over the drawn pixels, scene by scene.
 std::string toleranceTargetTable(const Results& results);
+/// What it takes with all levels, and without those that the tolerance allows to leave out; where
+/// there are any.
+std::string levelsTable(const Results& results);
 /// Samples for 50 dB by fixed steps and by an error tolerance, scene by scene.
 std::string samplesTargetTable(const Results& results);
 }

@@ -174,3 +174,24 @@ TEST(Tables, SayWhetherTargetsAreKept)
   const std::string& native = tables.at("target_native.md");
   EXPECT_NE(native.find("| 450 | 150 | 3.00 | 2 | missed |"), std::string::npos) << native;
 }
+
+TEST(Tables, ShowWhatLevelsLeftOutSave)
+{
+  Results results;
+  results.rows = { makeResult(ByTolerance, Role::Ours, 0.01, 0.2, 40.0),
+    makeResult(ByToleranceOfAllLevels, Role::Ours, 0.01, 0.5, 41.0),
+    makeResult(ByTolerance, Role::Ours, 0.001, 0.6, 60.0), // none are
+    makeResult(ByToleranceOfAllLevels, Role::Ours, 0.001, 0.6, 60.0) };
+  const double samples[] = { 10.0, 30.0, 50.0, 50.0 };
+  for (std::size_t i = 0; i < results.rows.size(); ++i)
+  {
+    results.rows[i].cpu = results.rows[i].wall;
+    results.rows[i].psnrRGBADrawn = results.rows[i].psnr;
+    results.rows[i].samples = samples[i];
+  }
+  const std::string table = makeTables(results).at("levels.md");
+  EXPECT_NE(
+    table.find("| 0.01 | 500 | 200 | 0.40 | 30.0 | 10.0 | 41.0 | 40.0 |"), std::string::npos)
+    << table;
+  EXPECT_EQ(table.find("| 0.001 |"), std::string::npos) << table;
+}
