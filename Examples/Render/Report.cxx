@@ -200,6 +200,11 @@ void PrintReport(std::ostream& out, const Run& run)
   out << (run.Asked.Array.empty() && !others.empty() ? "; others: " + others : "") << '\n';
   Line(out, "Bricks") << data->GetNumberOfBricks() << " in " << data->GetNumberOfRegions()
                       << " regions, " << mapper->GetNumberOfActiveRegions() << " of them active\n";
+  if (mapper->GetLevelsLeftOut() > 0)
+  {
+    Line(out, "Left out") << "finest levels, as the error tolerance allows: "
+                          << mapper->GetLevelsLeftOut() << '\n';
+  }
   const char* device = mapper->GetDeviceName();
   const char* traversal = mapper->GetTraversalUsed();
   Line(out, "Device") << (device ? device : "unknown") << ", "
@@ -247,7 +252,8 @@ std::string Statistics(const Run& run)
     { "camera", CameraJson(run) }, { "look", LookJson(run) } };
   json["method"] = { { "device", device ? device : "" },
     { "traversal", traversal ? traversal : "" }, { "reconstruction", run.Asked.Reconstruction },
-    { "active_regions", mapper->GetNumberOfActiveRegions() } };
+    { "active_regions", mapper->GetNumberOfActiveRegions() },
+    { "levels_left_out", mapper->GetLevelsLeftOut() } };
   json["seconds"] = TimesJson(run);
   json["bytes"] = { { "host", HostBytes(run.Result.Data()) },
     { "device", mapper->GetDeviceMemory() } };

@@ -122,7 +122,8 @@ int TestMapperInterface(int, char*[])
   checks.Says(print(mapper),
     { "Reconstruction: Completed", "StepScale: 1000", "ErrorTolerance: 1", "Traversal: Automatic",
       "EarlyTerminationOpacity: 1", "VectorMode: Magnitude", "VectorComponent: 0", "Device: (best)",
-      "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "DeviceMemory: " },
+      "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "LevelsLeftOut: 0",
+      "DeviceMemory: " },
     "print of the mapper");
   checks.Says(print(mapper->GetBuilder()),
     { "VectorMode: Magnitude", "VectorComponent: 0", "NumberOfStructureBuilds: 1" },

@@ -249,6 +249,13 @@ class RenderProgramTest(unittest.TestCase):
         _, stats = self.draw("--view", "-x")
         self.assertLess(stats["picture"]["camera"]["position"][0], 0.0)
 
+    def test_error_tolerance(self):
+        done, stats = self.draw("--array", "magvort", "--error-tolerance", "0.05")
+        self.assertGreater(stats["method"]["levels_left_out"], 0)
+        self.assertRegex(done.stdout, "(?m)^Left out +")
+        _, stats = self.draw("--array", "magvort", "--error-tolerance", "0.0001")
+        self.assertEqual(stats["method"]["levels_left_out"], 0)
+
     def test_quiet(self):
         done, _ = self.draw("--quiet")
         self.assertEqual(done.stdout + done.stderr, "")
