@@ -420,6 +420,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     return; // blended colours would be taken for ids
   }
+  this->Drawn = false;
   if (!internals.CheckSupport(this, ren, property))
   {
     return;
@@ -469,6 +470,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     vtkErrorMacro("The volume is not drawn: " << fault << ".");
   }
   internals.SaidFault = fault;
+  this->Drawn = fault.empty();
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
@@ -492,6 +494,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Device: " << (this->Device ? this->Device : "(best)") << "\n";
+  os << indent << "Drawn: " << this->Drawn << "\n";
   os << indent << "DeviceName: " << this->GetDeviceName() << "\n";
   os << indent << "TraversalUsed: " << this->GetTraversalUsed() << "\n";
   os << indent << "NumberOfActiveRegions: " << this->GetNumberOfActiveRegions() << "\n";

@@ -162,6 +162,9 @@ public:
   /// One line for each Vulkan device: index, name, and what it can do.
   static void GetDevices(vtkStringArray* lines);
 
+  /// Whether the last Render() put the volume into the picture. If not, an error has said why, once.
+  vtkGetMacro(Drawn, bool);
+
   /// The filter that makes bricks and regions. Its output is up to date after Update().
   vtkExaBricksBuilder* GetBuilder();
 
@@ -216,6 +219,7 @@ protected:
   int VectorMode = MAGNITUDE;
   int VectorComponent = 0;
   char* Device = nullptr;
+  bool Drawn = false;
 
 private:
   vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksRepresentation.h"
+
+#include "Adapters/AMRCompatibility.h"
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
+#include "vtkExaBricksVolume.h"
+#include "vtkExaBricksVolumeMapper.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkTransform.h"
+#include "vtkVolumeProperty.h"
+
+#include <iomanip>
+#include <sstream>
+
+vtkStandardNewMacro(vtkExaBricksRepresentation);
+
+namespace
+{
+// Pieces that the view delivers.
+constexpr int DATA = 0;
+constexpr int OUTLINE = 1;
+
+vtkBoundingBox findBounds(vtkOverlappingAMR* amr)
+{
+  vtkBoundingBox box;
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int index = 0; index < exabricks::numberOfBlocks(amr, level); ++index)
+    {
+      if (vtkDataSet* block = exabricks::getBlock(amr, level, index))
+      {
+        box.AddBounds(block->GetBounds());
+      }
+    }
+  }
+  return box;
+}
+}
+
+vtkExaBricksRepresentation::vtkExaBricksRepresentation()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  this->Volume->SetMapper(this->Mapper);
+  this->Volume->SetProperty(this->Property);
+  this->Property->IndependentComponentsOn();
+}
+
+vtkExaBricksRepresentation::~vtkExaBricksRepresentation() = default;
+
+int vtkExaBricksRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+  // A client has none.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkExaBricksRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  vtkOverlappingAMR* amr = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkOverlappingAMR::GetData(inputVector[0], 0)
+    : nullptr;
+  if (amr)
+  {
+    this->Data.TakeReference(amr->NewInstance());
+    this->Data->ShallowCopy(amr);
+    findBounds(amr).GetBounds(this->Bounds);
+  }
+  else
+  {
+    // Data are not delivered to a client; views ask for an object of some kind all the same.
+    this->Data = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  }
+  if (vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    this->OutlineSource->SetBounds(this->Bounds);
+    this->OutlineSource->Update();
+  }
+  else
+  {
+    this->OutlineSource->GetOutput()->Initialize();
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+int vtkExaBricksRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0; // invisible
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->ProvideData(inInfo, outInfo);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->TakeDeliveredData(inInfo);
+  }
+  return 1;
+}
+
+void vtkExaBricksRepresentation::ProvideData(vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  vtkPVRenderView::SetPiece(
+    inInfo, this, this->Data, this->Data ? this->Data->GetActualMemorySize() : 0, DATA);
+  // The volume is drawn where its data are. A client that draws by itself, as its server cannot,
+  // has the outline.
+  vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(
+    inInfo, this, /*deliver_to_client=*/false, /*gather_before_delivery=*/false, DATA);
+  vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+  vtkPVRenderView::SetPiece(
+    inInfo, this, this->OutlineSource->GetOutputDataObject(0), /*trueSize=*/0, OUTLINE);
+
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->Bounds, this->Volume->GetMatrix());
+  // Each process draws a part, and the parts are blended from back to front.
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(
+    inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+}
+
+void vtkExaBricksRepresentation::TakeDeliveredData(vtkInformation* inInfo)
+{
+  vtkAlgorithmOutput* data = vtkPVRenderView::GetPieceProducer(inInfo, this, DATA);
+  vtkOverlappingAMR* amr = data
+    ? vtkOverlappingAMR::SafeDownCast(data->GetProducer()->GetOutputDataObject(data->GetIndex()))
+    : nullptr;
+  this->Volume->SetOutlineConnection(vtkPVRenderView::GetPieceProducer(inInfo, this, OUTLINE));
+  // No blocks: a client, an empty input, or one of several processes that got none.
+  if (amr && exabricks::getFirstBlock(amr))
+  {
+    this->Mapper->SetInputConnection(data);
+    this->Volume->SetOutlineOnly(!this->SelectArray());
+  }
+  else
+  {
+    this->Mapper->RemoveAllInputConnections(0);
+    this->Volume->SetOutlineOnly(true);
+  }
+}
+
+bool vtkExaBricksRepresentation::SelectArray()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
+    ? info->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+  const int association = name && info->Has(vtkDataObject::FIELD_ASSOCIATION())
+    ? info->Get(vtkDataObject::FIELD_ASSOCIATION())
+    : vtkDataObject::FIELD_ASSOCIATION_NONE;
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (!name || !name[0] || !(onPoints || onCells))
+  {
+    if (!this->SaidChooseArray)
+    {
+      vtkWarningMacro("ExaBricks draws an array of cells or points, found "
+        << (name && name[0] ? name : "none")
+        << ". Choose one to color by; until then the outline is drawn.");
+    }
+    this->SaidChooseArray = true;
+    return false;
+  }
+  this->SaidChooseArray = false;
+  if (onPoints)
+  {
+    this->Mapper->SetScalarModeToUsePointFieldData();
+  }
+  else
+  {
+    this->Mapper->SetScalarModeToUseCellFieldData();
+  }
+  this->Mapper->SelectScalarArray(name);
+
+  vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
+  const bool component = color->GetVectorMode() == vtkScalarsToColors::COMPONENT;
+  this->Mapper->SetVectorMode(
+    component ? vtkExaBricksVolumeMapper::COMPONENT : vtkExaBricksVolumeMapper::MAGNITUDE);
+  this->Mapper->SetVectorComponent(component ? color->GetVectorComponent() : 0);
+  return true;
+}
+
+bool vtkExaBricksRepresentation::AddToView(vtkView* view)
+{
+  vtkPVRenderView* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddVolume(this->Volume);
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkExaBricksRepresentation::RemoveFromView(vtkView* view)
+{
+  vtkPVRenderView* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveVolume(this->Volume);
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkExaBricksRepresentation::SetVisibility(bool visible)
+{
+  this->Volume->SetVisibility(visible);
+  this->Superclass::SetVisibility(visible);
+}
+
+void vtkExaBricksRepresentation::SetPosition(double x, double y, double z)
+{
+  this->Volume->SetPosition(x, y, z);
+}
+
+void vtkExaBricksRepresentation::SetScale(double x, double y, double z)
+{
+  this->Volume->SetScale(x, y, z);
+}
+
+void vtkExaBricksRepresentation::SetOrientation(double x, double y, double z)
+{
+  this->Volume->SetOrientation(x, y, z);
+}
+
+void vtkExaBricksRepresentation::SetOrigin(double x, double y, double z)
+{
+  this->Volume->SetOrigin(x, y, z);
+}
+
+void vtkExaBricksRepresentation::SetUserTransform(const double matrix[16])
+{
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  this->Volume->SetUserTransform(transform);
+}
+
+void vtkExaBricksRepresentation::SetPickable(int pickable) { this->Volume->SetPickable(pickable); }
+
+void vtkExaBricksRepresentation::SetColor(vtkColorTransferFunction* color)
+{
+  this->Property->SetColor(color);
+}
+
+void vtkExaBricksRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
+{
+  this->Property->SetScalarOpacity(opacity);
+}
+
+void vtkExaBricksRepresentation::SetScalarOpacityUnitDistance(double distance)
+{
+  this->Property->SetScalarOpacityUnitDistance(distance);
+}
+
+void vtkExaBricksRepresentation::SetReconstruction(int reconstruction)
+{
+  this->Mapper->SetReconstruction(reconstruction);
+}
+
+void vtkExaBricksRepresentation::SetStepScale(double scale) { this->Mapper->SetStepScale(scale); }
+
+void vtkExaBricksRepresentation::SetErrorTolerance(double tolerance)
+{
+  this->Mapper->SetErrorTolerance(tolerance);
+}
+
+void vtkExaBricksRepresentation::SetTraversal(int traversal)
+{
+  this->Mapper->SetTraversal(traversal);
+}
+
+void vtkExaBricksRepresentation::SetEarlyTerminationOpacity(double opacity)
+{
+  this->Mapper->SetEarlyTerminationOpacity(opacity);
+}
+
+void vtkExaBricksRepresentation::SetDevice(const char* device)
+{
+  this->Mapper->SetDevice(device && device[0] ? device : nullptr);
+}
+
+const char* vtkExaBricksRepresentation::GetStatistics()
+{
+  vtkExaBricksData* data = this->Mapper->GetBuilder()->GetOutput();
+  if (this->Volume->GetOutlineOnly() || !data || data->GetNumberOfLeafCells() == 0)
+  {
+    this->Statistics = "nothing drawn";
+    return this->Statistics.c_str();
+  }
+  std::ostringstream line;
+  line << data->GetNumberOfLevels() << " levels, " << data->GetNumberOfLeafCells()
+       << " leaf cells, " << data->GetNumberOfBricks() << " bricks, " << data->GetNumberOfRegions()
+       << " regions";
+  if (this->Mapper->GetDrawn())
+  {
+    line << " (" << this->Mapper->GetNumberOfActiveRegions() << " active), "
+         << this->Mapper->GetDeviceName() << ", " << std::fixed << std::setprecision(1)
+         << this->Mapper->GetDeviceMemory() / 1e6 << " MB, " << std::setprecision(3)
+         << this->Mapper->GetTimeToDraw() << " s";
+  }
+  else
+  {
+    line << ", not drawn";
+  }
+  this->Statistics = line.str();
+  return this->Statistics.c_str();
+}
+
+void vtkExaBricksRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2]
+     << " " << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
+  os << indent << "Volume:\n";
+  this->Volume->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExaBricksRepresentation
+ * @brief   ParaView's representation "ExaBricks": overlapping AMR drawn by vtkExaBricksVolumeMapper
+ *
+ * Drawn where the data are: on the server if there is one, which sends the picture. Where the volume
+ * cannot be drawn its outline is, and the reason is said once: a missing Vulkan device, data that the
+ * mapper cannot take, no array to color by.
+ *
+ * The component that is drawn is that of the color map (vtkScalarsToColors::GetVectorMode()).
+ * Every process may have any part of the blocks, or none.
+ *
+ * @sa
+ * vtkExaBricksVolumeMapper vtkExaBricksVolume
+ */
+#ifndef vtkExaBricksRepresentation_h
+#define vtkExaBricksRepresentation_h
+
+#include "vtkNew.h" // for vtkNew
+#include "vtkPVDataRepresentation.h"
+#include "vtkParaViewExaBricksModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for vtkSmartPointer
+
+#include <string> // for std::string
+
+class vtkColorTransferFunction;
+class vtkExaBricksVolume;
+class vtkExaBricksVolumeMapper;
+class vtkOutlineSource;
+class vtkPiecewiseFunction;
+class vtkVolumeProperty;
+
+class VTKPARAVIEWEXABRICKS_EXPORT vtkExaBricksRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkExaBricksRepresentation* New();
+  vtkTypeMacro(vtkExaBricksRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
+    vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+
+  ///@{
+  /**
+   * Of the volume, as for vtkProp3D. The matrix of SetUserTransform() is applied last.
+   */
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetUserTransform(const double matrix[16]);
+  void SetPickable(int pickable);
+  ///@}
+
+  ///@{
+  /**
+   * Of the volume property. The unit distance is a world length.
+   */
+  void SetColor(vtkColorTransferFunction* color);
+  void SetScalarOpacity(vtkPiecewiseFunction* opacity);
+  void SetScalarOpacityUnitDistance(double distance);
+  ///@}
+
+  ///@{
+  /**
+   * Of the mapper, see vtkExaBricksVolumeMapper.
+   */
+  void SetReconstruction(int reconstruction);
+  void SetStepScale(double scale);
+  void SetErrorTolerance(double tolerance);
+  void SetTraversal(int traversal);
+  void SetEarlyTerminationOpacity(double opacity);
+  void SetDevice(const char* device);
+  ///@}
+
+  /**
+   * What was drawn last, in one line: levels, leaf cells, bricks, regions, device, its memory, and
+   * seconds for a picture.
+   */
+  const char* GetStatistics();
+
+protected:
+  vtkExaBricksRepresentation();
+  ~vtkExaBricksRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkExaBricksRepresentation(const vtkExaBricksRepresentation&) = delete;
+  void operator=(const vtkExaBricksRepresentation&) = delete;
+
+  void ProvideData(vtkInformation* inInfo, vtkInformation* outInfo);
+  void TakeDeliveredData(vtkInformation* inInfo);
+  // Hands the mapper the array and the component; false if there is no array to draw.
+  bool SelectArray();
+
+  vtkNew<vtkExaBricksVolumeMapper> Mapper;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkExaBricksVolume> Volume;
+  vtkNew<vtkOutlineSource> OutlineSource;
+
+  vtkSmartPointer<vtkDataObject> Data; // of this process
+  double Bounds[6];                    // of the blocks that it has
+  bool SaidChooseArray = false;
+  std::string Statistics;
+};
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksVolume.h"
+
+#include "vtkExaBricksVolumeMapper.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkExaBricksVolume);
+
+vtkExaBricksVolume::vtkExaBricksVolume() { this->Outline->SetMapper(this->OutlineMapper); }
+
+vtkExaBricksVolume::~vtkExaBricksVolume() = default;
+
+void vtkExaBricksVolume::SetOutlineConnection(vtkAlgorithmOutput* output)
+{
+  this->OutlineMapper->SetInputConnection(output);
+}
+
+int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  vtkRenderer* ren = vtkRenderer::SafeDownCast(viewport);
+  if (!ren || ren->GetSelector())
+  {
+    return 0; // a volume of blended colours has no ids
+  }
+  if (!this->OutlineOnly)
+  {
+    const int rendered = this->Superclass::RenderVolumetricGeometry(viewport);
+    auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(this->GetMapper());
+    if (!mapper || mapper->GetDrawn() || ren->GetRenderWindow()->CheckAbortStatus())
+    {
+      return rendered;
+    }
+  }
+  this->Outline->SetUserMatrix(this->GetMatrix());
+  return this->Outline->RenderOpaqueGeometry(viewport);
+}
+
+void vtkExaBricksVolume::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Outline->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkExaBricksVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OutlineOnly: " << this->OutlineOnly << "\n";
+}
