@@ -17,6 +17,8 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -41,6 +43,24 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
     static_cast<int>(vtkExaBricksVolumeMapper::COMPLETED) ==
       static_cast<int>(exabricks::Reconstruction::Completed),
   "the mapper hands its reconstruction to the renderer");
+
+namespace
+{
+bool showsTranslucent(vtkRenderer* ren)
+{
+  vtkPropCollection* props = ren->GetViewProps();
+  vtkCollectionSimpleIterator place;
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+  {
+    if (prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 struct vtkExaBricksVolumeMapper::vtkInternals
 {
@@ -122,7 +142,7 @@ bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
   {
     this->WarnOnce(self, "Clipping planes are not supported yet: the volume is drawn whole.");
   }
-  if (ren->GetUseDepthPeeling() && ren->GetUseDepthPeelingForVolumes())
+  if (ren->GetUseDepthPeeling() && ren->GetUseDepthPeelingForVolumes() && showsTranslucent(ren))
   {
     this->WarnOnce(
       self, "Depth peeling cannot include this volume: it is drawn over translucent geometry.");

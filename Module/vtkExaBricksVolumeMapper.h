@@ -162,7 +162,8 @@ public:
   /// One line for each Vulkan device: index, name, and what it can do.
   static void GetDevices(vtkStringArray* lines);
 
-  /// Whether the last Render() put the volume into the picture. If not, an error has said why, once.
+  /// Whether the last Render() put the volume into the picture. If not, an error has said why,
+  /// once.
   vtkGetMacro(Drawn, bool);
 
   /// The filter that makes bricks and regions. Its output is up to date after Update().

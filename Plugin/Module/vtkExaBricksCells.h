@@ -12,7 +12,7 @@
 #ifndef vtkExaBricksCells_h
 #define vtkExaBricksCells_h
 
-#include "vtkNew.h" // for vtkNew
+#include "vtkNew.h"                     // for vtkNew
 #include "vtkParaViewExaBricksModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 

@@ -3,9 +3,9 @@
  * @class   vtkExaBricksRepresentation
  * @brief   ParaView's representation "ExaBricks": overlapping AMR drawn by vtkExaBricksVolumeMapper
  *
- * Drawn where the data are: on the server if there is one, which sends the picture. Where the volume
- * cannot be drawn its outline is, and the reason is said once: a missing Vulkan device, data that the
- * mapper cannot take, no array to color by.
+ * Drawn where the data are: on the server if there is one, which sends the picture. Where the
+ * volume cannot be drawn its outline is, and the reason is said once: a missing Vulkan device, data
+ * that the mapper cannot take, no array to color by.
  *
  * The component that is drawn is that of the color map (vtkScalarsToColors::GetVectorMode()).
  * Every process may have any part of the blocks, or none.
@@ -37,8 +37,8 @@ public:
   vtkTypeMacro(vtkExaBricksRepresentation, vtkPVDataRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
-    vtkInformation* outInfo) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
 
   ///@{

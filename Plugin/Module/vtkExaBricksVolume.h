@@ -3,8 +3,8 @@
  * @class   vtkExaBricksVolume
  * @brief   a volume that shows its outline where it cannot be drawn
  *
- * With a vtkExaBricksVolumeMapper, which says why it does not draw (no Vulkan device, wrong data), so
- * that one sees where the data are all the same.
+ * With a vtkExaBricksVolumeMapper, which says why it does not draw (no Vulkan device, wrong data),
+ * so that one sees where the data are all the same.
  *
  * @sa
  * vtkExaBricksRepresentation vtkExaBricksVolumeMapper
@@ -12,7 +12,7 @@
 #ifndef vtkExaBricksVolume_h
 #define vtkExaBricksVolume_h
 
-#include "vtkNew.h" // for vtkNew
+#include "vtkNew.h"                     // for vtkNew
 #include "vtkParaViewExaBricksModule.h" // for the export macro
 #include "vtkVolume.h"
 

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests share: the plugin, a scene with a transfer function, pictures as arrays, and how alike two are.
+
+Each test is a script for pvpython, run in a folder of its own; the environment tells where the plugin is.
+"""
+
+import math
+import os
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+PLUGIN = os.environ["EXABRICKS_PLUGIN"]
+CELLS = 60000
+
+
+def load_plugin(remote=False):
+    simple.LoadPlugin(PLUGIN, remote=remote, ns=vars(simple))
+
+
+def make_scene():
+    scene = simple.ExaBricksScene(Scene="Exajet-wing", NumberOfLeafCells=CELLS)
+    scene.UpdatePipeline()
+    return scene
+
+
+def make_view(width=240, height=180):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [width, height]
+    view.OrientationAxesVisibility = 0
+    if hasattr(view, "UseColorPaletteForBackground"):
+        view.UseColorPaletteForBackground = 0
+    view.Background = [0.0, 0.0, 0.0]
+    simple.SetActiveView(view)
+    return view
+
+
+def show(source, view, array=("CELLS", "value"), representation="ExaBricks"):
+    """Shows the source with the transfer function of PlainPicture.cxx."""
+    display = simple.Show(source, view)
+    display.SetRepresentationType(representation)
+    simple.ColorBy(display, array)
+    color = simple.GetColorTransferFunction(array[1])
+    color.ColorSpace = "RGB"
+    color.RGBPoints = [0.0, 0.1, 0.2, 0.8, 0.4, 1.0, 0.9, 0.6, 1.0, 1.0, 0.2, 0.1]
+    opacity = simple.GetOpacityTransferFunction(array[1])
+    opacity.Points = [0.0, 0.0, 0.5, 0.0, 0.1, 0.0, 0.5, 0.0, 1.0, 0.6, 0.5, 0.0]
+    color.ScalarOpacityFunction = opacity
+    return display
+
+
+def look_at(source, view):
+    """From in front and above, all of it."""
+    bounds = source.GetDataInformation().GetBounds()
+    center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+    size = max(bounds[2 * i + 1] - bounds[2 * i] for i in range(3))
+    view.CameraFocalPoint = center
+    view.CameraPosition = [center[0] - 0.9 * size, center[1] - 0.7 * size, center[2] + 1.1 * size]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 30.0
+
+
+def picture(view, name, **options):
+    """Renders `view` into <name>.png; returns its pixels, rows from below, channels in [0, 1]."""
+    simple.SaveScreenshot(name + ".png", view, **options)
+    return read_picture(name + ".png")
+
+
+def read_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+    return pixels.reshape(height, width, -1).astype(float) / 255.0
+
+
+def decibel(found, expected):
+    """Peak signal-to-noise ratio; infinite if equal."""
+    assert found.shape == expected.shape, (found.shape, expected.shape)
+    error = numpy.mean((found - expected) ** 2)
+    return math.inf if error == 0.0 else -10.0 * math.log10(error)
+
+
+def expect_alike(found, expected, least, what):
+    likeness = decibel(found, expected)
+    print(f"{what}: {likeness:.1f} dB, at least {least}")
+    assert likeness >= least, what
+
+
+def expect_different(found, expected, most, what):
+    likeness = decibel(found, expected)
+    print(f"{what}: {likeness:.1f} dB, at most {most}")
+    assert likeness <= most, what
+
+
+def drawn(pixels):
+    """The share of the pixels that are not black."""
+    return float(numpy.mean(pixels[..., :3].max(axis=-1) > 0.02))
+
+
+def statistics(display):
+    display.SMProxy.UpdatePropertyInformation()
+    return display.SMProxy.GetProperty("Statistics").GetElement(0)
