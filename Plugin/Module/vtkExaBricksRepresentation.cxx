@@ -4,12 +4,14 @@
 #include "Adapters/AMRCompatibility.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
+#include "vtkExaBricksStatistics.h"
 #include "vtkExaBricksVolume.h"
 #include "vtkExaBricksVolumeMapper.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -57,6 +59,8 @@ vtkExaBricksRepresentation::vtkExaBricksRepresentation()
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Property->IndependentComponentsOn();
+  this->Volume->AddObserver(
+    vtkCommand::EndEvent, this, &vtkExaBricksRepresentation::UpdateStatistics);
 }
 
 vtkExaBricksRepresentation::~vtkExaBricksRepresentation() = default;
@@ -300,31 +304,31 @@ void vtkExaBricksRepresentation::SetDevice(const char* device)
   this->Mapper->SetDevice(device && device[0] ? device : nullptr);
 }
 
-const char* vtkExaBricksRepresentation::GetStatistics()
+void vtkExaBricksRepresentation::SetStatistics(vtkExaBricksStatistics* statistics)
 {
-  vtkExaBricksData* data = this->Mapper->GetBuilder()->GetOutput();
-  if (this->Volume->GetOutlineOnly() || !data || data->GetNumberOfLeafCells() == 0)
+  this->Statistics = statistics;
+}
+
+void vtkExaBricksRepresentation::UpdateStatistics()
+{
+  if (!this->Statistics)
   {
-    this->Statistics = "nothing drawn";
-    return this->Statistics.c_str();
+    return;
+  }
+  vtkExaBricksData* data = this->Mapper->GetBuilder()->GetOutput();
+  if (this->Volume->GetOutlineOnly() || !this->Mapper->GetDrawn() || !data)
+  {
+    this->Statistics->SetText("nothing drawn");
+    return;
   }
   std::ostringstream line;
   line << data->GetNumberOfLevels() << " levels, " << data->GetNumberOfLeafCells()
        << " leaf cells, " << data->GetNumberOfBricks() << " bricks, " << data->GetNumberOfRegions()
-       << " regions";
-  if (this->Mapper->GetDrawn())
-  {
-    line << " (" << this->Mapper->GetNumberOfActiveRegions() << " active), "
-         << this->Mapper->GetDeviceName() << ", " << std::fixed << std::setprecision(1)
-         << this->Mapper->GetDeviceMemory() / 1e6 << " MB, " << std::setprecision(3)
-         << this->Mapper->GetTimeToDraw() << " s";
-  }
-  else
-  {
-    line << ", not drawn";
-  }
-  this->Statistics = line.str();
-  return this->Statistics.c_str();
+       << " regions (" << this->Mapper->GetNumberOfActiveRegions() << " active), "
+       << this->Mapper->GetDeviceName() << ", " << std::fixed << std::setprecision(1)
+       << this->Mapper->GetDeviceMemory() / 1e6 << " MB, " << std::setprecision(3)
+       << this->Mapper->GetTimeToDraw() << " s";
+  this->Statistics->SetText(line.str());
 }
 
 void vtkExaBricksRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,9 +21,8 @@
 #include "vtkParaViewExaBricksModule.h" // for the export macro
 #include "vtkSmartPointer.h"            // for vtkSmartPointer
 
-#include <string> // for std::string
-
 class vtkColorTransferFunction;
+class vtkExaBricksStatistics;
 class vtkExaBricksVolume;
 class vtkExaBricksVolumeMapper;
 class vtkOutlineSource;
@@ -74,11 +73,8 @@ public:
   void SetDevice(const char* device);
   ///@}
 
-  /**
-   * What was drawn last, in one line: levels, leaf cells, bricks, regions, device, its memory, and
-   * seconds for a picture.
-   */
-  const char* GetStatistics();
+  /// Where to say what was drawn last; null on a client.
+  void SetStatistics(vtkExaBricksStatistics* statistics);
 
 protected:
   vtkExaBricksRepresentation();
@@ -98,6 +94,8 @@ private:
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
   bool SelectArray();
+  // After each picture.
+  void UpdateStatistics();
 
   vtkNew<vtkExaBricksVolumeMapper> Mapper;
   vtkNew<vtkVolumeProperty> Property;
@@ -107,7 +105,7 @@ private:
   vtkSmartPointer<vtkDataObject> Data; // of this process
   double Bounds[6];                    // of the blocks that it has
   bool SaidChooseArray = false;
-  std::string Statistics;
+  vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };
 
 #endif

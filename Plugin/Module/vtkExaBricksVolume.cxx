@@ -4,6 +4,7 @@
 #include "vtkExaBricksVolumeMapper.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
@@ -27,17 +28,21 @@ int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)
   {
     return 0; // a volume of blended colours has no ids
   }
+  int rendered = 0;
+  bool drawn = false;
   if (!this->OutlineOnly)
   {
-    const int rendered = this->Superclass::RenderVolumetricGeometry(viewport);
+    rendered = this->Superclass::RenderVolumetricGeometry(viewport);
     auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(this->GetMapper());
-    if (!mapper || mapper->GetDrawn() || ren->GetRenderWindow()->CheckAbortStatus())
-    {
-      return rendered;
-    }
+    drawn = !mapper || mapper->GetDrawn() || ren->GetRenderWindow()->CheckAbortStatus();
   }
-  this->Outline->SetUserMatrix(this->GetMatrix());
-  return this->Outline->RenderOpaqueGeometry(viewport);
+  if (!drawn)
+  {
+    this->Outline->SetUserMatrix(this->GetMatrix());
+    rendered = this->Outline->RenderOpaqueGeometry(viewport);
+  }
+  this->InvokeEvent(vtkCommand::EndEvent);
+  return rendered;
 }
 
 void vtkExaBricksVolume::ReleaseGraphicsResources(vtkWindow* window)

@@ -38,6 +38,7 @@ public:
   vtkGetMacro(OutlineOnly, bool);
   ///@}
 
+  /// Fires vtkCommand::EndEvent when it is done.
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -29,12 +29,17 @@ def make_scene():
 def make_view(width=240, height=180):
     view = simple.CreateView("RenderView")
     view.ViewSize = [width, height]
+    darken(view)
+    simple.SetActiveView(view)
+    return view
+
+
+def darken(view):
+    """Nothing but the data, on black."""
     view.OrientationAxesVisibility = 0
     if hasattr(view, "UseColorPaletteForBackground"):
         view.UseColorPaletteForBackground = 0
     view.Background = [0.0, 0.0, 0.0]
-    simple.SetActiveView(view)
-    return view
 
 
 def show(source, view, array=("CELLS", "value"), representation="ExaBricks"):
@@ -100,6 +105,17 @@ def expect_different(found, expected, most, what):
 def drawn(pixels):
     """The share of the pixels that are not black."""
     return float(numpy.mean(pixels[..., :3].max(axis=-1) > 0.02))
+
+
+def make_empty():
+    """An AMR with nothing in it."""
+    empty = simple.ProgrammableSource()
+    types = empty.GetProperty("OutputDataSetType").Available
+    # Older versions name the former class.
+    empty.OutputDataSetType = "vtkOverlappingAMR" if "vtkOverlappingAMR" in types else "vtkHierarchicalBoxDataSet"
+    empty.Script = ""
+    empty.UpdatePipeline()
+    return empty
 
 
 def statistics(display):

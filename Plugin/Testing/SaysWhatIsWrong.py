@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be drawn is said once, in words, and the outline is drawn; nothing at all is no fault."""
+
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+from Support import *
+
+said = []
+
+
+class Collector:
+    """Every text of ParaView's output window comes here."""
+
+    def __init__(self):
+        self.window = vtkOutputWindow.GetInstance()
+        for event in ("ErrorEvent", "WarningEvent"):
+            self.window.AddObserver(event, self.collect)
+
+    def collect(self, caller, event, text):
+        said.append(text)
+
+    collect.CallDataType = "string0"
+
+
+collector = Collector()
+
+
+def expect_said(*words):
+    found = [text for text in said if "ExaBricks" in text]
+    assert len(found) == 1, found
+    for word in words:
+        assert word in found[0], (word, found[0])
+    said.clear()
+
+
+def expect_outline(name):
+    """Thin lines around the data."""
+    pixels = picture(view, name)
+    share = drawn(pixels)
+    assert 0.003 < share < 0.08, (name, share)
+
+
+load_plugin()
+view = make_view()
+
+# No device.
+scene = make_scene()
+display = show(scene, view)
+look_at(scene, view)
+display.VulkanDevice = "abacus"
+expect_outline("noDevice")
+expect_outline("noDeviceAgain")
+expect_said("abacus")
+assert "nothing drawn" in statistics(display), statistics(display)
+display.VulkanDevice = ""
+assert drawn(picture(view, "device")) > 0.1
+assert not said, said
+
+# No array, and one that is gone.
+display.ColorArrayName = ["CELLS", ""]
+expect_outline("noArray")
+expect_outline("noArrayAgain")
+expect_said("Choose one to color by")
+display.ColorArrayName = ["CELLS", "pressure"]
+expect_outline("wrongArray")
+expect_outline("wrongArrayAgain")
+expect_said("'pressure'", "'value'")
+display.ColorArrayName = ["CELLS", "value"]
+assert drawn(picture(view, "array")) > 0.1
+assert not said, said
+
+# No data.
+simple.Delete(display)
+simple.Delete(scene)
+empty = make_empty()
+display = simple.Show(empty, view, "AMRRepresentation")
+display.SetRepresentationType("ExaBricks")
+assert drawn(picture(view, "noData")) == 0.0
+assert not [text for text in said if "ExaBricks" in text], said
+assert statistics(display) == "nothing drawn"

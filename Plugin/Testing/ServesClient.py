@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A client of a server on this machine: the server draws, and the client has the picture that it would draw itself."""
+
+import socket
+import subprocess
+import sys
+import time
+
+from Support import *
+
+# The picture of one process.
+load_plugin()
+scene = make_scene()
+view = make_view()
+display = show(scene, view)
+look_at(scene, view)
+local = picture(view, "local")
+simple.ResetSession()
+
+with socket.socket() as probe:
+    probe.bind(("127.0.0.1", 0))
+    port = probe.getsockname()[1]
+environment = dict(os.environ)
+server = subprocess.Popen(
+    [os.environ["EXABRICKS_PVSERVER"], f"--server-port={port}", "--force-offscreen-rendering"],
+    env=environment)
+try:
+    time.sleep(3)
+    # The client has no device: what it shows must be the server's.
+    os.environ["EXABRICKS_DEVICE"] = "abacus"
+    simple.Connect("127.0.0.1", port)
+    load_plugin(remote=True)
+    load_plugin()
+    simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
+    scene = make_scene()
+    view = make_view()
+    display = show(scene, view)
+    look_at(scene, view)
+    expect_alike(picture(view, "remote"), local, 50.0, "client of a server")
+    line = statistics(display)
+    print(line)
+    assert "leaf cells" in line and "active" in line, line
+
+    # The volume is drawn on the server also where little data would go to the client.
+    simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 1000
+    expect_alike(picture(view, "threshold"), local, 50.0, "below the threshold of remote rendering")
+
+    # The cells come to the client.
+    cells = simple.ExaBricksCells(Input=scene)
+    cells.UpdatePipeline()
+    assert cells.GetDataInformation().GetNumberOfCells() > 0
+    simple.Disconnect()
+finally:
+    server.kill()
