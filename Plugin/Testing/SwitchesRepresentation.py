@@ -26,11 +26,12 @@ simple.Show(scene, view)
 expect_alike(picture(view, "shown"), first, 60.0, "shown again")
 
 # Moved: the view's reset finds it where it is, and its picture is the same from there.
-display.Position = [1000.0, 0.0, 0.0]
+position = "Translation" if "Translation" in display.ListProperties() else "Position"  # from 5.13 on
+setattr(display, position, [1000.0, 0.0, 0.0])
 view.CameraPosition = [view.CameraPosition[0] + 1000.0, *view.CameraPosition[1:]]
 view.CameraFocalPoint = [view.CameraFocalPoint[0] + 1000.0, *view.CameraFocalPoint[1:]]
 expect_alike(picture(view, "moved"), first, 40.0, "moved with the camera")
-display.Position = [0.0, 0.0, 0.0]
+setattr(display, position, [0.0, 0.0, 0.0])
 look_at(scene, view)
 display.Scale = [1.0, 1.0, 0.2]
 expect_different(picture(view, "flat"), first, 30.0, "flattened")
