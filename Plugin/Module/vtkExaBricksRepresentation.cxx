@@ -321,14 +321,15 @@ void vtkExaBricksRepresentation::UpdateStatistics()
     this->Statistics->SetText("nothing drawn");
     return;
   }
-  std::ostringstream line;
-  line << data->GetNumberOfLevels() << " levels, " << data->GetNumberOfLeafCells()
-       << " leaf cells, " << data->GetNumberOfBricks() << " bricks, " << data->GetNumberOfRegions()
-       << " regions (" << this->Mapper->GetNumberOfActiveRegions() << " active), "
-       << this->Mapper->GetDeviceName() << ", " << std::fixed << std::setprecision(1)
-       << this->Mapper->GetDeviceMemory() / 1e6 << " MB, " << std::setprecision(3)
-       << this->Mapper->GetTimeToDraw() << " s";
-  this->Statistics->SetText(line.str());
+  std::ostringstream text;
+  text << data->GetNumberOfLevels() << " levels, " << data->GetNumberOfLeafCells()
+       << " leaf cells\n"
+       << data->GetNumberOfBricks() << " bricks, " << data->GetNumberOfRegions() << " regions ("
+       << this->Mapper->GetNumberOfActiveRegions() << " active)\n"
+       << this->Mapper->GetDeviceName() << "\n"
+       << std::fixed << std::setprecision(1) << this->Mapper->GetDeviceMemory() / 1e6 << " MB, "
+       << std::setprecision(3) << this->Mapper->GetTimeToDraw() << " s a picture";
+  this->Statistics->SetText(text.str());
 }
 
 void vtkExaBricksRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkExaBricksStatistics
- * @brief   a line about what a vtkExaBricksRepresentation drew last
+ * @brief   what a vtkExaBricksRepresentation drew last, in words
  *
  * An object of its own, as it exists where things are drawn alone: asked for a value of the
  * representation, which is on the client too, ParaView takes the client's.
