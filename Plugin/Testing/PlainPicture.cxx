@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PlainPicture <picture.png> <leaf cells> <width> <height> <unit distance> <reconstruction> <position> <focal point>
-// <view up> (three numbers each) <angle>
+// PlainPicture <picture.png> <leaf cells> <width> <height> <unit distance> <reconstruction>
+// <position> <focal point> <view up> (three numbers each) <angle>
 //
-// The scene Exajet-wing through plain VTK, without ParaView, with the transfer function of Support.py: what the picture
-// through ParaView is compared with.
+// The scene Exajet-wing through plain VTK, without ParaView, with the transfer function of
+// Support.py: what the picture through ParaView is compared with.
 #include "vtkExaBricksSceneSource.h"
 #include "vtkExaBricksVolumeMapper.h"
 

@@ -59,6 +59,7 @@ struct Scene
     const auto color = picture.Center();
     this->checks.Expect(
       color[0] == 1.0 && color[1] == 0.0, what + ": only the square is to be seen");
+    this->checks.Expect(!this->stage.mapper->GetDrawn(), what + ": the mapper tells so");
     this->checks.Equal(this->messages.Errors().size(), 1, what + ": number of errors");
     this->checks.Says(this->messages.TakeErrors(), words, what);
     this->checks.Expect(test::Picture(this->stage.window).Center()[1] == 0.0,
@@ -78,6 +79,7 @@ struct Scene
   {
     this->checks.Expect(
       test::Picture(this->stage.window).Center()[1] == 1.0, what + ": is drawn again");
+    this->checks.Expect(this->stage.mapper->GetDrawn(), what + ": the mapper tells so");
     this->checks.Expect(
       this->messages.Errors().empty(), what + ": no error: " + this->messages.TakeErrors());
   }
