@@ -26,17 +26,17 @@ for number, reconstruction in enumerate(("Basis", "Nearest", "Completed")):
     display.Reconstruction = reconstruction
     found = picture(view, reconstruction)
     assert drawn(found) > 0.1, drawn(found)
-    expect_alike(found, plain_picture("plain" + reconstruction, 240, 180, number), 45.0, reconstruction)
+    expect_alike(found, plain_picture("plain" + reconstruction, 240, 180, number), 55.0, reconstruction)
 
 # A picture of a multiple of the window's size is drawn in tiles, or in a larger buffer.
 display.Reconstruction = "Basis"
 found = picture(view, "large", ImageResolution=[720, 540])
-expect_alike(found, plain_picture("plainLarge", 720, 540, 0), 45.0, "three times the window's size")
+expect_alike(found, plain_picture("plainLarge", 720, 540, 0), 55.0, "three times the window's size")
 
 # Long opacity unit distances are transparent, and a tolerance is held.
 display.OpacityUnitDistance = 80.0
 thin = picture(view, "thin")
-expect_alike(thin, plain_picture("plainThin", 240, 180, 0), 45.0, "ten times the unit distance")
+expect_alike(thin, plain_picture("plainThin", 240, 180, 0), 55.0, "ten times the unit distance")
 display.ErrorTolerance = 0.01
 expect_alike(picture(view, "tolerant"), thin, 40.0, "error tolerance 0.01")
 

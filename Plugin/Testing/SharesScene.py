@@ -29,6 +29,17 @@ expect_different(both[covered], bare[covered], 30.0, "the volume before the ball
 expect_different(both[covered], alone[covered], 30.0, "the ball in the volume")
 expect_alike(both[~(bare.max(axis=-1) > 0.0)], alone[~(bare.max(axis=-1) > 0.0)], 60.0, "beside the ball")
 
+# Between the camera and the volume it hides what is behind it.
+ball.Center = [0.5 * (view.CameraPosition[i] + view.CameraFocalPoint[i]) for i in range(3)]
+before = picture(view, "before")
+simple.Hide(scene, view)
+bare = picture(view, "bareBefore")
+simple.Show(scene, view)
+covered = bare[..., 1] > 0.3
+expect_different(alone[covered], bare[covered], 20.0, "the volume where the ball will be")
+expect_alike(before[covered], bare[covered], 60.0, "the ball before the volume")
+ball.Center = view.CameraFocalPoint
+
 # Translucent: drawn under the volume, with a warning, but drawn.
 ballDisplay.Opacity = 0.5
 translucent = picture(view, "translucent")
