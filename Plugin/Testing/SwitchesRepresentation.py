@@ -58,7 +58,7 @@ while not blocks.IsDoneWithTraversal():
     block = blocks.GetCurrentDataObject().NewInstance()
     block.ShallowCopy(blocks.GetCurrentDataObject())
     value = vtk_to_numpy(block.GetCellData().GetArray("value"))
-    array = numpy_to_vtk(numpy.stack([value, 1.0 - value], axis=1), deep=1)
+    array = numpy_to_vtk(numpy.stack([value, -value], axis=1), deep=1)
     array.SetName("pair")
     block.GetCellData().AddArray(array)
     target.SetDataSet(blocks, block)
@@ -78,7 +78,9 @@ color.VectorComponent = 1
 component1 = picture(view, "component1")
 expect_different(component1, first, 30.0, "component 1")
 color.VectorMode = "Magnitude"
-expect_different(picture(view, "magnitude"), component1, 40.0, "magnitude")
+magnitude = picture(view, "magnitude")
+expect_different(magnitude, component1, 30.0, "magnitude, and component 1")
+expect_different(magnitude, first, 40.0, "magnitude, and component 0")
 simple.ColorBy(pair, ("CELLS", "value"))
 expect_alike(picture(view, "firstArray"), first, 60.0, "the first array again")
 
