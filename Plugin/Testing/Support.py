@@ -119,5 +119,5 @@ def make_empty():
 
 
 def statistics(display):
-    display.SMProxy.UpdatePropertyInformation()
+    """What the panel tells of the last picture."""
     return display.SMProxy.GetProperty("Statistics").GetElement(0)
