@@ -42,28 +42,8 @@ display.UserTransform = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 expect_alike(picture(view, "back"), first, 60.0, "moved back")
 
 # Another array, with components: the color map chooses.
-calculator = simple.ProgrammableFilter(Input=scene)
-calculator.OutputDataSetType = "Same as Input"
-calculator.CopyArrays = 1
-calculator.Script = """
-import numpy
-from vtkmodules.numpy_interface import dataset_adapter
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-source = self.GetInputDataObject(0, 0)
-target = self.GetOutputDataObject(0)
-target.ShallowCopy(source)
-blocks = source.NewIterator()
-blocks.InitTraversal()
-while not blocks.IsDoneWithTraversal():
-    block = blocks.GetCurrentDataObject().NewInstance()
-    block.ShallowCopy(blocks.GetCurrentDataObject())
-    value = vtk_to_numpy(block.GetCellData().GetArray("value"))
-    array = numpy_to_vtk(numpy.stack([value, -value], axis=1), deep=1)
-    array.SetName("pair")
-    block.GetCellData().AddArray(array)
-    target.SetDataSet(blocks, block)
-    blocks.GoToNextItem()
-"""
+calculator = simple.Calculator(Input=scene, AttributeType="Cell Data", ResultArrayName="pair")
+calculator.Function = "value*iHat - value*jHat"
 calculator.UpdatePipeline()
 simple.Hide(scene, view)
 pair = show(calculator, view, ("CELLS", "value"))
