@@ -26,8 +26,11 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-// About as many pixels tell the error of a picture.
+// About as many pixels tell the error of a picture; at most so many are drawn where few of them show
+// anything. Where still few do, they cost little: they get steps that are short enough for all.
 constexpr double PilotPixels = 3000.0;
+constexpr double MostPilotPixels = 64.0 * PilotPixels;
+constexpr double StepScaleOfFew = 0.25;
 
 // Each region with bricks, as a whole.
 ActiveRegions selectAllRegions(Volume volume, bool boxes)
@@ -334,11 +337,9 @@ struct VolumeRenderer::Internals
           }
           return detail != nullptr;
         });
-      if (!effort && some >= pixels)
+      if (!effort && some >= std::min(pixels, MostPilotPixels))
       {
-        // next to nothing is drawn
-        const double scale = std::min(this->Last.fullStepScale, 1.0);
-        effort = Effort{ 0, scale, scale, 0.0 };
+        effort = Effort{ 0, StepScaleOfFew, StepScaleOfFew, 0.0 };
       }
     }
     this->Last = *effort; // the next picture is likely to be much like this one

@@ -322,8 +322,12 @@ void vtkExaBricksRepresentation::UpdateStatistics()
     return;
   }
   std::ostringstream text;
-  text << data->GetNumberOfLevels() << " levels, " << data->GetNumberOfLeafCells()
-       << " leaf cells\n"
+  text << data->GetNumberOfLevels() << " levels, ";
+  if (this->Mapper->GetLevelsLeftOut() > 0)
+  {
+    text << "finest left out: " << this->Mapper->GetLevelsLeftOut() << ", ";
+  }
+  text << data->GetNumberOfLeafCells() << " leaf cells\n"
        << data->GetNumberOfBricks() << " bricks, " << data->GetNumberOfRegions() << " regions ("
        << this->Mapper->GetNumberOfActiveRegions() << " active)\n"
        << this->Mapper->GetDeviceName() << "\n"

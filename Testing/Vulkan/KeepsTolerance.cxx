@@ -51,7 +51,7 @@ TEST(KeepsTolerance, WithGeometryInFront)
   view.depth.assign(131 * 97, 0.0f);
   for (int y = 0; y < 97; ++y)
   {
-    for (int x = 0; x < 40; ++x)
+    for (int x = 0; x < 64; ++x)
     {
       view.depth[x + 131 * y] = 1.0f;
     }
@@ -59,6 +59,7 @@ TEST(KeepsTolerance, WithGeometryInFront)
   const double error = errorOfDrawn(subject.render(view), subject.renderOracle(view));
   EXPECT_LE(error, 0.006);
   EXPECT_GE(error, 0.0015);
+  EXPECT_NE(subject.renderer.statistics().stepScale, 0.25); // enough is to be seen to choose it
 }
 
 TEST(KeepsTolerance, OfWhatIsSmallInThePicture)
@@ -73,6 +74,19 @@ TEST(KeepsTolerance, OfWhatIsSmallInThePicture)
   const double error = errorOfDrawn(subject.render(view), subject.renderOracle(view));
   EXPECT_LE(error, 0.006);
   EXPECT_GE(error, 0.0015);
+}
+
+TEST(KeepsTolerance, OfAFewPixels)
+{
+  // Too few to tell an error from: short steps are taken.
+  SceneRenderer subject(reference::twoLevels());
+  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 400);
+  const glm::dmat4 away = glm::scale(glm::dmat4(1.0), glm::dvec3(60.0, 60.0, 1.0));
+  view.ndcToLogical = view.ndcToLogical * away;
+  view.ndcToWorld = view.ndcToWorld * away;
+  subject.errorTolerance = 0.01;
+  EXPECT_LE(errorOfDrawn(subject.render(view), subject.renderOracle(view)), 0.01);
+  EXPECT_EQ(subject.renderer.statistics().stepScale, 0.25);
 }
 
 TEST(KeepsTolerance, OfNoConcernToNearest)
