@@ -13,8 +13,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <sstream>
 
 namespace render
 {
@@ -50,6 +53,32 @@ const char* const Footer =
   "\n"
   "Exit codes: 0 fine, 1 rendering failed, 2 bad arguments, 3 input cannot be read,\n"
   "4 output cannot be written.";
+
+// CLI11's own let NaN through, which is neither below nor above.
+CLI::Validator Number(const std::string& which, const std::function<bool(double)>& fits)
+{
+  return CLI::Validator(
+    [=](std::string& value)
+    {
+      double number = 0.0;
+      return CLI::detail::lexical_cast(value, number) && std::isfinite(number) && fits(number)
+        ? std::string()
+        : "expected a number " + which + ", found '" + value + "'";
+    },
+    which);
+}
+
+CLI::Validator Between(double least, double most)
+{
+  std::ostringstream which;
+  which << "from " << least << " to " << most;
+  return Number(which.str(), [=](double number) { return number >= least && number <= most; });
+}
+
+CLI::Validator Positive()
+{
+  return Number("above 0", [](double number) { return number > 0.0; });
+}
 
 // The options as typed, where a value has to be looked at after CLI11 is through.
 struct Texts
@@ -108,12 +137,12 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(camera);
   app.add_option("--view-angle", o.ViewAngle, "Vertical angle of view in degrees [30]")
     ->type_name("DEG")
-    ->check(CLI::Range(0.1, 170.0))
+    ->check(Between(0.1, 170.0))
     ->group(camera);
   app.add_flag("--parallel", o.Parallel, "Parallel projection")->group(camera);
   app.add_option("--zoom", o.Zoom, "Enlarge the picture about its centre [1]")
     ->type_name("FACTOR")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->group(camera);
 
   const std::string look = "Look";
@@ -131,7 +160,7 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     .add_option(
       "--opacity-unit", o.OpacityUnit, "Distance that opacities hold for [diagonal / 100]")
     ->type_name("LENGTH")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->group(look);
   app.add_option("--background", texts.Background, "Colour behind the volume [black]")
     ->type_name("R,G,B|NAME")
@@ -146,13 +175,13 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(method);
   app.add_option("--step-scale", o.StepScale, "Step along a ray, in cells [1]; 0.5 draws smoother")
     ->type_name("S")
-    ->check(CLI::PositiveNumber)
+    ->check(Between(0.001, 1000.0))
     ->group(method);
   app
     .add_option("--error-tolerance", o.ErrorTolerance,
       "Error to draw with, of drawn pixels in [0, 1], instead of a step scale; 0.004 is one of 255")
     ->type_name("E")
-    ->check(CLI::Range(0.0, 1.0))
+    ->check(Between(0.0, 1.0))
     ->group(method);
   app.add_option("--traversal", o.Traversal, "automatic, ray-query or kd-tree [automatic]")
     ->type_name("KIND")

@@ -252,6 +252,7 @@ std::string Statistics(const Run& run)
     { "camera", CameraJson(run) }, { "look", LookJson(run) } };
   json["method"] = { { "device", device ? device : "" },
     { "traversal", traversal ? traversal : "" }, { "reconstruction", run.Asked.Reconstruction },
+    { "step_scale", mapper->GetStepScale() }, { "error_tolerance", mapper->GetErrorTolerance() },
     { "active_regions", mapper->GetNumberOfActiveRegions() },
     { "levels_left_out", mapper->GetLevelsLeftOut() } };
   json["seconds"] = TimesJson(run);

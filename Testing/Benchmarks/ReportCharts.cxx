@@ -107,7 +107,8 @@ using Measure = std::function<double(const Result&)>;
 // its own: there are many of them.
 bool isAblation(const Result& row)
 {
-  return row.role == Role::Baseline && row.method != CellLocation;
+  return row.method == ByToleranceOfAllLevels ||
+    (row.role == Role::Baseline && row.method != CellLocation);
 }
 
 // One curve for each method of a scene, in the order of its parameter.

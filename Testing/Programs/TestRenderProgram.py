@@ -81,6 +81,12 @@ class RenderProgramTest(unittest.TestCase):
             ("--component", "x"),
             ("--levels", "0"),
             ("--zoom", "0"),
+            ("--zoom", "nan"),
+            ("--view-angle", "nan"),
+            ("--step-scale", "nan"),
+            ("--step-scale", "1e9"),
+            ("--error-tolerance", "nan"),
+            ("--opacity-unit", "inf"),
             ("--frames", "many"),
             ("--traversal", "fast"),
         ):
@@ -251,6 +257,7 @@ class RenderProgramTest(unittest.TestCase):
 
     def test_error_tolerance(self):
         done, stats = self.draw("--array", "magvort", "--error-tolerance", "0.05")
+        self.assertEqual(stats["method"]["error_tolerance"], 0.05)
         self.assertGreater(stats["method"]["levels_left_out"], 0)
         self.assertRegex(done.stdout, "(?m)^Left out +")
         _, stats = self.draw("--array", "magvort", "--error-tolerance", "0.0001")
