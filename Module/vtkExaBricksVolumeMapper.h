@@ -95,11 +95,11 @@ public:
    * its pixels, longer ones where the transfer function hardly varies over a region's values and
    * behind what is nearly opaque, and neither StepScale nor EarlyTerminationOpacity count. Finest
    * levels that the picture hardly needs, as their cells are smaller than pixels or vary little,
-   * are left out: the next one's cells take the mean of theirs. For that the device holds the volume
-   * without them too, a quarter more memory where blocks are large, up to twice as much in octrees
-   * of small ones. 0 (default): step and opacity alone count, and all levels are drawn. Has no effect
-   * on the nearest reconstruction, which is exact. Below about 1e-4 a picture takes seconds, and
-   * single precision is the limit.
+   * are left out: the next one's cells take the mean of theirs. For that the device holds the
+   * volume without them too, a quarter more memory where blocks are large, up to twice as much in
+   * octrees of small ones. 0 (default): step and opacity alone count, and all levels are drawn. Has
+   * no effect on the nearest reconstruction, which is exact. Below about 1e-4 a picture takes
+   * seconds, and single precision is the limit.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
