@@ -13,7 +13,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -61,7 +60,7 @@ CLI::Validator Number(const std::string& which, const std::function<bool(double)
     [=](std::string& value)
     {
       double number = 0.0;
-      return CLI::detail::lexical_cast(value, number) && std::isfinite(number) && fits(number)
+      return ParseNumber(value, number) && fits(number)
         ? std::string()
         : "expected a number " + which + ", found '" + value + "'";
     },

@@ -25,15 +25,6 @@ namespace
   throw Failure(ExitCode::BadArguments, option + " takes " + expected + ", not '" + found + "'.");
 }
 
-// The same in every locale; no "inf", no "nan", nothing left over.
-bool ParseNumber(const std::string& text, double& value)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  char rest;
-  return (stream >> value) && std::isfinite(value) && !(stream >> rest);
-}
-
 std::vector<std::string> Split(const std::string& text, char separator)
 {
   std::vector<std::string> parts(1);
@@ -58,6 +49,14 @@ bool ParseThreeNumbers(const std::string& text, Vector3& v)
     ParseNumber(parts[2], v[2]);
 }
 
+}
+
+bool ParseNumber(const std::string& text, double& value)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  char rest;
+  return (stream >> value) && std::isfinite(value) && !(stream >> rest);
 }
 
 std::array<int, 2> ParseSize(const std::string& option, const std::string& text)

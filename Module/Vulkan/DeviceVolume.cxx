@@ -70,7 +70,6 @@ void DeviceVolume::UploadLists(const RegionTree& tree)
       lists[region.firstBrick + region.brickCount - 1] |= layout::LAST_BRICK;
     }
   }
-  this->Lists = lists.size();
   this->BrickLists = makeBuffer(this->Owner, lists, "the brick lists");
 }
 
@@ -82,11 +81,12 @@ void DeviceVolume::setActive(ActiveRegions active)
   this->Regions = active.regions;
   this->BoxCount = active.boxCount;
   const std::size_t most = layout::KD_NO_REGION; // links have 30 bits
-  if (active.nodes.size() >= most || this->Lists >= most ||
+  const std::size_t entries = this->BrickLists.bytes() / sizeof(std::uint32_t);
+  if (active.nodes.size() >= most || entries >= most ||
     this->Bricks.bytes() / sizeof(layout::Brick) >= layout::LAST_BRICK)
   {
     throw Failure("expected regions with fewer than 2^30 nodes and entries of lists, found " +
-      std::to_string(active.nodes.size()) + " and " + std::to_string(this->Lists) +
+      std::to_string(active.nodes.size()) + " and " + std::to_string(entries) +
       ". Read fewer levels");
   }
   if (active.boxes.empty())

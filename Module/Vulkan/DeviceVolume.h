@@ -37,7 +37,6 @@ private:
   Buffer Nodes;
   Buffer Boxes;
   AccelerationStructure Scene;
-  std::size_t Lists = 0; // entries
   std::size_t Regions = 0;
   std::size_t BoxCount = 0;
 };
