@@ -60,7 +60,7 @@ void marchCell(Ray ray, inout March march)
     const TransferPart part = findPart(transferBins, transferKnots, value);
     march.color += (1.0 - march.color.a) *
       absorb(mix(part.lower, part.upper, part.share),
-        (end - march.entry) * ray.worldPerHalfCell * inverseUnit);
+        (end - march.entry) * ray.dataPerHalfCell * inverseUnit);
   }
   march.entry = end;
   march.intervals = end < march.exit ? 1 : 0;
@@ -105,7 +105,7 @@ void marchInterval(Ray ray, inout March march)
     const float last = march.last.value;
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
-    const float units = length / float(count) * ray.worldPerHalfCell * inverseUnit;
+    const float units = length / float(count) * ray.dataPerHalfCell * inverseUnit;
     for (int k = 1; k <= count; ++k)
     {
       const float next = k == count ? value : middle;

@@ -107,23 +107,25 @@ struct TransferKnot
 struct Frame
 {
   dmat4 ndcToHalfCells; // normalised device coordinates to half cells
-  dmat4 ndcToWorld;
+  dmat4 ndcToData;      // normalised device coordinates to the data's own
   ivec3 size; // of the bounds, half cells
   uint width; // pixels
   uint height;
   float stepScale;          // of the boxes' steps
   float veiled;             // steps grow with transmittance to the power of minus this
-  float inverseUnit;        // 1 / scalar opacity unit distance, 1 / world length
+  float inverseUnit;        // 1 / scalar opacity unit distance, in the data's coordinates
   float terminationOpacity; // a ray ends at this opacity
   float integralUnit;       // of the transfer function's integrals
-  uint hasDepth;            // 0: no opaque geometry, the depth buffer is not read
+  uint hasDepth;            // 0: rays go to the far plane, the depth buffer is not read
+  uint hasNearDepth;        // 0: rays begin at the near plane
   uint64_t bricks;          // device addresses of Brick[], uint[], KdNode[], ...
   uint64_t brickLists;
   uint64_t nodes;
   uint64_t activeBoxes; // ActiveBox[]: of the acceleration structure
   uint64_t transferBins;
   uint64_t transferKnots;
-  uint64_t depth;   // float[height][width], window depth in [0, 1]
+  uint64_t depth;   // float[height][width], window depth in [0, 1] at which rays end
+  uint64_t nearDepth; // the same, at which they begin
   uint64_t picture; // vec4[height][width], premultiplied, row 0 at the bottom
   uint64_t scene;   // acceleration structure
   uint64_t extra;   // uint[]: a MarchProgram's own data
@@ -143,7 +145,7 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 392, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -12,7 +12,7 @@ struct Ray
   vec3 inverse;   // 1 / direction
   float begin;    // distances from the origin at which the ray enters the bounds, ...
   float end;      // ... and leaves them, or hits geometry
-  float worldPerHalfCell; // world length of a step of length 1
+  float dataPerHalfCell; // length of a step of length 1 in the data's coordinates
 };
 
 const float REBASE_DISTANCE = 1024.0; // half cells: distances are exact to 1e-4 of them
@@ -27,19 +27,34 @@ float planeDistance(Ray ray, int plane, uint axis)
   return (float(plane - base) - fraction) * inverse;
 }
 
+// Of a window depth in [0, 1], as a depth buffer holds it.
+double ndcDepth(Values depth, uvec2 pixel, uint width)
+{
+  return 2.0LF * double(depth.items[pixel.y * width + pixel.x]) - 1.0LF;
+}
+
 // The ray of `pixel` from `skip` half cells behind its entry into the bounds on. False: a miss.
 bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
 {
   const dvec2 ndc = 2.0LF * (dvec2(pixel) + 0.5LF) / dvec2(f.frame.width, f.frame.height) - 1.0LF;
+  double near = -1.0LF;
+  if (f.frame.hasNearDepth != 0)
+  {
+    near = ndcDepth(Values(f.frame.nearDepth), pixel, f.frame.width);
+  }
   double far = 1.0LF;
   if (f.frame.hasDepth != 0)
   {
-    far = 2.0LF * double(Values(f.frame.depth).items[pixel.y * f.frame.width + pixel.x]) - 1.0LF;
+    far = ndcDepth(Values(f.frame.depth), pixel, f.frame.width);
   }
-  const dvec4 a = f.frame.ndcToHalfCells * dvec4(ndc, -1.0LF, 1.0LF);
+  if (!(near < far))
+  {
+    return false;
+  }
+  const dvec4 a = f.frame.ndcToHalfCells * dvec4(ndc, near, 1.0LF);
   const dvec4 b = f.frame.ndcToHalfCells * dvec4(ndc, far, 1.0LF);
-  const dvec4 worldA = f.frame.ndcToWorld * dvec4(ndc, -1.0LF, 1.0LF);
-  const dvec4 worldB = f.frame.ndcToWorld * dvec4(ndc, far, 1.0LF);
+  const dvec4 dataA = f.frame.ndcToData * dvec4(ndc, near, 1.0LF);
+  const dvec4 dataB = f.frame.ndcToData * dvec4(ndc, far, 1.0LF);
   const dvec3 origin = a.xyz / a.w;
   const dvec3 path = b.xyz / b.w - origin;
   const double pathLength = length(path);
@@ -74,7 +89,7 @@ bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
   const vec3 leave = max(low, high);
   ray.begin = max(0.0, max(enter.x, max(enter.y, enter.z)));
   ray.end = min(float(pathLength - start), min(leave.x, min(leave.y, leave.z)));
-  ray.worldPerHalfCell = float(length(worldB.xyz / worldB.w - worldA.xyz / worldA.w) / pathLength);
+  ray.dataPerHalfCell = float(length(dataB.xyz / dataB.w - dataA.xyz / dataA.w) / pathLength);
   return ray.begin < ray.end;
 }
 

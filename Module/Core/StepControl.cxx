@@ -45,48 +45,33 @@ std::optional<double> differenceOfDrawn(
   return drawn >= FewestPixels ? std::make_optional(std::sqrt(sum / (4.0 * drawn))) : std::nullopt;
 }
 
-// Finds the effort for a tolerance. Each picture is drawn once.
+// Finds the effort for a tolerance. Each picture is drawn once. It always begins in the same place:
+// what it finds depends on the view alone, not on what was drawn before, so that the same view has
+// the same picture.
 class Pilot
 {
 public:
-  Pilot(double tolerance, const Effort& first, const DrawPilot& draw)
+  Pilot(double tolerance, const DrawPilot& draw)
     : Tolerance(tolerance)
-    , First(first)
     , Draw(draw)
   {
   }
 
   std::optional<Effort> find()
   {
-    // Where levels are left out, it is enough to know once how fine the truth has to be.
-    double full = std::min(this->First.fullStepScale, 1.0);
-    if (this->First.levelsLeftOut == 0 || this->First.checkedFor != this->Tolerance)
-    {
-      full = this->FindFullStepScale(full, 1.0);
-    }
+    const double full = this->FindFullStepScale(1.0, 1.0);
     this->Truth = this->Picture(0, 0.5 * full);
     if (!differenceOfDrawn(*this->Truth, *this->Truth))
     {
       return std::nullopt;
     }
-    this->Least = { 0, full, full, this->Tolerance };
-    int levels = std::max(this->First.levelsLeftOut, 1);
-    if (this->Suffices(levels))
+    this->Least = { 0, full };
+    for (int levels = 1; this->Suffices(levels); ++levels)
     {
-      while (this->Suffices(++levels))
-      {
-      }
-    }
-    else
-    {
-      while (--levels > 0 && !this->Suffices(levels))
-      {
-      }
     }
     if (this->Least.levelsLeftOut == 0)
     {
-      full = this->FindFullStepScale(full, GreatestStepScale);
-      this->Least = { 0, full, full, this->Tolerance };
+      this->Least.stepScale = this->FindFullStepScale(full, GreatestStepScale);
     }
     return this->Least;
   }
@@ -154,18 +139,7 @@ private:
       this->Least.stepScale = stepScale;
       return true;
     };
-    const double near = std::pow(Near, Order);
     double scale = StepsForCoarser * this->Least.stepScale;
-    if (levels == this->First.levelsLeftOut)
-    {
-      scale = this->First.stepScale;
-      const std::optional<double> same = error(scale);
-      if (same && *same <= near * this->Tolerance &&
-        (*same * near >= this->Tolerance || scale == GreatestStepScale))
-      {
-        return accept(scale);
-      }
-    }
     const std::optional<double> fine = error(0.5 * scale);
     if (!fine || *fine > MostForLevels * this->Tolerance)
     {
@@ -186,7 +160,7 @@ private:
     if (std::max(change, 1.0 / change) > 1.5)
     {
       const std::optional<double> got = error(scale);
-      if (got && *got > near * this->Tolerance)
+      if (got && *got > std::pow(Near, Order) * this->Tolerance)
       {
         scale = std::max(scale * std::pow(this->Tolerance / *got, 1.0 / Order), LeastScale);
       }
@@ -195,7 +169,6 @@ private:
   }
 
   const double Tolerance;
-  const Effort First;
   const DrawPilot& Draw;
   std::map<std::pair<int, double>, Pixels> Pictures;
   const Pixels* Truth = nullptr;
@@ -250,8 +223,8 @@ double StepWeights::step(const ValueRange& range, double width) const
   return weight * longest > this->Whole ? std::cbrt(this->Whole / weight) : LongestStep;
 }
 
-std::optional<Effort> findEffort(double tolerance, const Effort& first, const DrawPilot& draw)
+std::optional<Effort> findEffort(double tolerance, const DrawPilot& draw)
 {
-  return Pilot(tolerance, first, draw).find();
+  return Pilot(tolerance, draw).find();
 }
 }

@@ -40,8 +40,6 @@ struct Effort
 {
   int levelsLeftOut = 0; // of the finest, see Coarsening
   double stepScale = 1.0;
-  double fullStepScale = 1.0; // one that does with all levels, ...
-  double checkedFor = 0.0;    // ... as was found for this tolerance; 0: as far as one knows
 };
 
 /// Draws some pixels of a picture, premultiplied. False: there are not so many levels to leave out.
@@ -53,9 +51,9 @@ constexpr double GreatestStepScale = 4.0;
 /// The least effort, up to GreatestStepScale, with which pictures err by `tolerance`, as a root
 /// mean square over the channels of the pixels that are drawn (opacity of at least 1/255), found
 /// from a sparse picture: the difference to half the step tells the error, the order at which it
-/// falls tells the step; the difference to all levels tells what those left out are worth. `first`:
-/// where to begin; it is kept if it does. None if fewer than 100 pixels are drawn.
-std::optional<Effort> findEffort(double tolerance, const Effort& first, const DrawPilot& draw);
+/// falls tells the step; the difference to all levels tells what those left out are worth. Depends
+/// on what `draw` draws alone. None if fewer than 100 pixels are drawn.
+std::optional<Effort> findEffort(double tolerance, const DrawPilot& draw);
 }
 
 #endif

@@ -68,14 +68,18 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   const std::size_t pixels = static_cast<std::size_t>(view.width) * view.height;
   provide(
     this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback, "the picture");
-  if (view.depth)
+  const auto upload = [&](Buffer& buffer, const float* depth)
   {
-    provide(
-      this->Depth, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
-    this->Depth.upload(view.depth, pixels * sizeof(float));
-  }
+    if (depth)
+    {
+      provide(buffer, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
+      buffer.upload(depth, pixels * sizeof(float));
+    }
+  };
+  upload(this->Depth, view.depth);
+  upload(this->NearDepth, view.nearDepth);
   frame.ndcToHalfCells = view.ndcToHalfCells;
-  frame.ndcToWorld = view.ndcToWorld;
+  frame.ndcToData = view.ndcToData;
   frame.width = static_cast<std::uint32_t>(view.width);
   frame.height = static_cast<std::uint32_t>(view.height);
   frame.stepScale = static_cast<float>(view.stepScale);
@@ -83,6 +87,8 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   frame.terminationOpacity = static_cast<float>(view.terminationOpacity);
   frame.hasDepth = view.depth != nullptr;
   frame.depth = view.depth ? this->Depth.address() : 0;
+  frame.hasNearDepth = view.nearDepth != nullptr;
+  frame.nearDepth = view.nearDepth ? this->NearDepth.address() : 0;
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));
 

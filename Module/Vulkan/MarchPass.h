@@ -33,6 +33,7 @@ private:
   vk::raii::Pipeline Pipeline = nullptr;
   Buffer Constants;
   Buffer Depth;
+  Buffer NearDepth;
   Buffer Picture;
 };
 }

@@ -4,6 +4,7 @@
 #include "Core/Coarsening.h"
 #include "Core/TransferTable.h"
 #include "Vulkan/DeviceVolume.h"
+#include "Vulkan/KnownEffort.h"
 #include "Vulkan/MarchPass.h"
 
 #include <chrono>
@@ -76,7 +77,7 @@ struct VolumeRenderer::Internals
   std::unique_ptr<vulkan::MarchPass> Pass;
   bool ColorsReady = false;
   bool Weighted = false; // steps are, by what they err
-  Effort Last;           // found last
+  KnownEffort Known;
   bool ProgramReady = false;
   bool SceneFailed = false; // the volume is too much for an acceleration structure
   std::string Fault;        // does not go away until something is set anew
@@ -86,6 +87,7 @@ struct VolumeRenderer::Internals
   void DropVolume()
   {
     this->SceneFailed = false;
+    this->Known = {};
     for (Detail& detail : this->Details)
     {
       detail.onDevice.reset();
@@ -95,6 +97,7 @@ struct VolumeRenderer::Internals
 
   void DropOpacity()
   {
+    this->Known = {};
     for (Detail& detail : this->Details)
     {
       detail.opacityReady = false;
@@ -297,10 +300,24 @@ struct VolumeRenderer::Internals
     }
   }
 
-  // Draws some of the view's pixels until it knows which levels and steps err as much as they may;
-  // more of them where few show anything.
-  Effort FindEffort(const View& view)
+  // Draws some of the pixels of the view, or of the whole that it is a part of, until it knows
+  // which levels and steps err as much as they may; more of them where few show anything.
+  Effort FindEffort(View view)
   {
+    if (view.whole)
+    {
+      view.ndcToHalfCells = view.whole->ndcToHalfCells;
+      view.ndcToData = view.whole->ndcToData;
+      view.width = view.whole->width;
+      view.height = view.whole->height;
+      view.depth = nullptr;
+    }
+    view.nearDepth = nullptr;
+    if (this->Known.is(view))
+    {
+      this->Figures.pilotTime = 0.0;
+      return this->Known.effort;
+    }
     const Stopwatch watch;
     std::optional<Effort> effort;
     const double pixels = static_cast<double>(view.width) * view.height;
@@ -325,7 +342,7 @@ struct VolumeRenderer::Internals
         }
         pilot.depth = depth.data();
       }
-      effort = findEffort(view.errorTolerance, this->Last,
+      effort = findEffort(view.errorTolerance,
         [&](int levelsLeftOut, double stepScale, std::vector<glm::vec4>& picture)
         {
           const Detail* detail = levelsLeftOut <= view.levelsLeftOut.value_or(levelsLeftOut)
@@ -340,10 +357,10 @@ struct VolumeRenderer::Internals
         });
       if (!effort && some >= std::min(pixels, MostPilotPixels))
       {
-        effort = Effort{ 0, StepScaleOfFew, StepScaleOfFew, 0.0 };
+        effort = Effort{ 0, StepScaleOfFew };
       }
     }
-    this->Last = *effort; // the next picture is likely to be much like this one
+    this->Known = KnownEffort(view, *effort);
     this->Figures.pilotTime = watch.seconds();
     return *effort;
   }
@@ -506,7 +523,6 @@ void VolumeRenderer::setVolume(const Volume& volume)
 {
   this->Data->Fault.clear();
   this->Data->DropVolume();
-  this->Data->Last.checkedFor = 0.0;
   this->Data->Details.clear();
   this->Data->CoarsestMade = false;
   if (volume.tree)
@@ -520,7 +536,6 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Fault.clear();
   this->Data->ColorsReady = false;
-  this->Data->Last.checkedFor = 0.0;
   if (this->Data->Weighted || !transfer.showsTheSame(this->Data->Transfer))
   {
     this->Data->DropOpacity();

@@ -33,11 +33,14 @@ enum class Reconstruction
 struct View
 {
   glm::dmat4 ndcToHalfCells{ 1.0 }; // from normalised device coordinates, z in [-1, 1]
-  glm::dmat4 ndcToWorld{ 1.0 };
-  int width = 0; // pixels
+  glm::dmat4 ndcToData{ 1.0 };      // to the data's own coordinates
+  int width = 0;                    // pixels
   int height = 0;
-  const float* depth =
-    nullptr; // [height][width], row 0 at the bottom, window depth in [0, 1], or null
+  /// Where rays end, and where they begin, [height][width], row 0 at the bottom, window depth in
+  /// [0, 1]; null: at the far plane, and at the near plane. Where the end is not behind the
+  /// beginning, nothing is drawn.
+  const float* depth = nullptr;
+  const float* nearDepth = nullptr;
   Reconstruction reconstruction = Reconstruction::Basis;
   double stepScale = 1.0; // step in cells of the region's finest brick
   /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
@@ -47,7 +50,18 @@ struct View
   /// So many of the finest levels are left out, and with an errorTolerance that steps are chosen
   /// for at most so many; none: as many as it allows.
   std::optional<int> levelsLeftOut;
-  double opacityUnitDistance = 1.0; // world length
+  /// The whole picture of which this view is a part: a tile, the picture of one eye, or what lies
+  /// between two depths. With an errorTolerance, levels and steps are chosen for the whole, without
+  /// regard to depth, so that all its parts have the same. None: the view is whole.
+  struct Whole
+  {
+    glm::dmat4 ndcToHalfCells{ 1.0 };
+    glm::dmat4 ndcToData{ 1.0 };
+    int width = 0; // pixels
+    int height = 0;
+  };
+  std::optional<Whole> whole;
+  double opacityUnitDistance = 1.0; // length in the data's coordinates
   double terminationOpacity = 0.999;
 };
 

@@ -157,7 +157,7 @@ void measureChanges(const Scene& scene, const Size& size, int rounds, accuracy::
   const glm::dmat4 roll =
     glm::rotate(glm::dmat4(1.0), glm::radians(5.0), glm::dvec3(0.0, 0.0, 1.0));
   turned.ndcToHalfCells = view.ndcToHalfCells * roll;
-  turned.ndcToWorld = view.ndcToWorld * roll;
+  turned.ndcToData = view.ndcToData * roll;
   for (const Traverser& traverser : traversers)
   {
     Change change;

@@ -115,7 +115,7 @@ View Scene::view(const Size& size, Reconstruction reconstruction) const
   toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->Built.tree.bounds.lo));
   View view;
   view.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-  view.ndcToWorld = from.ndcToWorld;
+  view.ndcToData = from.ndcToWorld;
   view.width = size[0];
   view.height = size[1];
   view.reconstruction = reconstruction;

@@ -45,9 +45,9 @@ struct Model
   }
 };
 
-double findStepScale(double tolerance, double first, Model& model)
+double findStepScale(double tolerance, Model& model)
 {
-  return findEffort(tolerance, { 0, first, first, 0.0 }, std::ref(model))->stepScale;
+  return findEffort(tolerance, std::ref(model))->stepScale;
 }
 }
 
@@ -80,7 +80,7 @@ TEST(StepControl, FindsTheStepOfAnError)
     for (const double tolerance : { 0.02, 0.001 })
     {
       Model model{ 0.004, order };
-      const double scale = findStepScale(tolerance, 1.0, model);
+      const double scale = findStepScale(tolerance, model);
       const double got = 0.004 * std::pow(scale, order);
       EXPECT_LE(got, 2.0 * tolerance) << order;
       EXPECT_GE(got, 0.5 * tolerance) << order;
@@ -88,24 +88,25 @@ TEST(StepControl, FindsTheStepOfAnError)
   }
 }
 
-TEST(StepControl, KeepsAStepThatDoes)
+TEST(StepControl, DrawsLittleToKnow)
 {
-  Model model{ 0.004, 1.7 };
-  const double scale = findStepScale(0.001, 1.0, model);
-  model.drawn = 0;
-  EXPECT_EQ(findStepScale(0.001, scale, model), scale);
-  EXPECT_EQ(model.drawn, 2); // as little as it takes to know
+  Model right{ 0.004, 1.7 };
+  EXPECT_EQ(findStepScale(1.15 * 0.004 * (1.0 - std::pow(0.5, 1.7)), right), 1.0);
+  EXPECT_EQ(right.drawn, 2);
+  Model longer{ 0.004, 1.7 };
+  findStepScale(0.001, longer);
+  EXPECT_LE(longer.drawn, 5);
 }
 
 TEST(StepControl, EndsWhereNothingErrs)
 {
   Model exact{ 0.0, 2.0 };
-  EXPECT_EQ(findStepScale(0.001, 1.0, exact), GreatestStepScale);
+  EXPECT_EQ(findStepScale(0.001, exact), GreatestStepScale);
 }
 
 TEST(StepControl, SaysWhenTooFewPixelsAreDrawn)
 {
-  EXPECT_FALSE(findEffort(0.001, {},
+  EXPECT_FALSE(findEffort(0.001,
     [](int levelsLeftOut, double, std::vector<glm::vec4>& picture)
     {
       picture.assign(99, glm::vec4(1.0f));
@@ -119,7 +120,7 @@ TEST(StepControl, DoesNotTakeStepsThatLookAlikeForGood)
   Model model{ 0.004, 2.0 };
   const auto saturated = [&](int levelsLeftOut, double scale, std::vector<glm::vec4>& picture)
   { return model(levelsLeftOut, std::min(scale, 2.0), picture); };
-  const double scale = findEffort(0.012, {}, saturated)->stepScale;
+  const double scale = findEffort(0.012, saturated)->stepScale;
   EXPECT_LE(0.004 * std::pow(std::min(scale, 2.0), 2.0), 2.0 * 0.012);
   EXPECT_LT(scale, GreatestStepScale);
 }
@@ -133,11 +134,10 @@ TEST(StepControl, LeavesOutLevelsThatTheErrorAllows)
     const double levels = effort.levelsLeftOut > 0 ? model.levels[effort.levelsLeftOut - 1] : 0.0;
     return std::sqrt(steps * steps + levels * levels);
   };
-  Effort effort; // goes on from picture to picture
   for (const auto& [tolerance, expected] : std::vector<std::pair<double, int>>{
          { 0.01, 2 }, { 0.01, 2 }, { 0.1, 3 }, { 0.002, 1 }, { 0.0001, 0 }, { 0.05, 3 } })
   {
-    effort = *findEffort(tolerance, effort, std::ref(model));
+    const Effort effort = *findEffort(tolerance, std::ref(model));
     EXPECT_EQ(effort.levelsLeftOut, expected) << tolerance;
     EXPECT_LE(got(effort), 1.5 * tolerance);
     EXPECT_TRUE(got(effort) >= 0.5 * tolerance || effort.stepScale == GreatestStepScale);
@@ -147,9 +147,8 @@ TEST(StepControl, LeavesOutLevelsThatTheErrorAllows)
 TEST(StepControl, AsksForLittleMoreWhereLevelsAreNeeded)
 {
   Model model{ 0.004, 1.7, { 0.5 } };
-  const Effort effort = *findEffort(0.001, {}, std::ref(model));
-  EXPECT_EQ(effort.levelsLeftOut, 0);
-  model.drawn = 0;
-  EXPECT_EQ(findEffort(0.001, effort, std::ref(model))->stepScale, effort.stepScale);
-  EXPECT_EQ(model.drawn, 3);
+  EXPECT_EQ(findEffort(0.001, std::ref(model))->levelsLeftOut, 0);
+  Model without{ 0.004, 1.7 };
+  findEffort(0.001, std::ref(without));
+  EXPECT_EQ(model.drawn, without.drawn + 1);
 }

@@ -67,7 +67,7 @@ struct SceneRenderer
     glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
     toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure.tree.bounds.lo));
     view.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-    view.ndcToWorld = from.ndcToWorld;
+    view.ndcToData = from.ndcToWorld;
     view.width = from.width;
     view.height = from.height;
     view.depth = from.depth.empty() ? nullptr : from.depth.data();

@@ -252,7 +252,7 @@ private:
   {
     const float end = march.intervals == 1 ? march.exit : march.entry + march.interval;
     const float length = end - march.entry;
-    const float perLength = ray.worldPerHalfCell * this->InverseUnit;
+    const float perLength = ray.dataPerHalfCell * this->InverseUnit;
     if (march.halved)
     {
       float middle = this->Sample(ray, march, march.entry + 0.5f * length);

@@ -24,7 +24,7 @@ struct Ray
   Vec4 direction;
   float begin;
   float end;
-  float worldPerHalfCell;
+  float dataPerHalfCell;
 };
 
 constexpr float RebaseDistance = 1024.0f;
@@ -45,8 +45,8 @@ inline bool makeRay(const View& view, const glm::ivec3& size, int x, int y, doub
   }
   const glm::dvec4 a = view.ndcToHalfCells * glm::dvec4(ndc, -1.0, 1.0);
   const glm::dvec4 b = view.ndcToHalfCells * glm::dvec4(ndc, far, 1.0);
-  const glm::dvec4 worldA = view.ndcToWorld * glm::dvec4(ndc, -1.0, 1.0);
-  const glm::dvec4 worldB = view.ndcToWorld * glm::dvec4(ndc, far, 1.0);
+  const glm::dvec4 dataA = view.ndcToData * glm::dvec4(ndc, -1.0, 1.0);
+  const glm::dvec4 dataB = view.ndcToData * glm::dvec4(ndc, far, 1.0);
   const glm::dvec3 origin = glm::dvec3(a) / a.w;
   const glm::dvec3 path = glm::dvec3(b) / b.w - origin;
   const double pathLength = glm::length(path);
@@ -92,8 +92,8 @@ inline bool makeRay(const View& view, const glm::ivec3& size, int x, int y, doub
     ray.begin = std::max(ray.begin, std::min(low, high));
     ray.end = std::min(ray.end, std::max(low, high));
   }
-  const glm::dvec3 world = glm::dvec3(worldB) / worldB.w - glm::dvec3(worldA) / worldA.w;
-  ray.worldPerHalfCell = static_cast<float>(glm::length(world) / pathLength);
+  const glm::dvec3 world = glm::dvec3(dataB) / dataB.w - glm::dvec3(dataA) / dataA.w;
+  ray.dataPerHalfCell = static_cast<float>(glm::length(world) / pathLength);
   return ray.begin < ray.end;
 }
 

@@ -41,7 +41,7 @@ void marchOn(Ray ray, inout March march)
     const TransferPart part = findPart(transferBins, transferKnots, value);
     march.color += (1.0 - march.color.a) *
       absorb(mix(part.lower, part.upper, part.share),
-        (end - march.entry) * ray.worldPerHalfCell * inverseUnit);
+        (end - march.entry) * ray.dataPerHalfCell * inverseUnit);
   }
   march.entry = end;
   march.intervals = march.cut ? (end < march.exit ? 1 : 0) : march.intervals - 1;

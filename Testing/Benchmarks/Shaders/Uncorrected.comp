@@ -23,7 +23,7 @@ float unitsPerSample; // unit distances
 bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
 {
   const bool hits = makeRayAlone(f, pixel, skip, ray);
-  unitsPerSample = 2.0 * ray.worldPerHalfCell * inverseUnit;
+  unitsPerSample = 2.0 * ray.dataPerHalfCell * inverseUnit;
   return hits;
 }
 
