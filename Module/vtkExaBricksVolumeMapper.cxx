@@ -3,7 +3,10 @@
 
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/DataContents.h"
+#include "Adapters/DepthPeel.h"
+#include "Adapters/DrawnRenderers.h"
 #include "Adapters/OpenGLPicture.h"
+#include "Adapters/Requests.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
@@ -16,10 +19,8 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkProp.h"
-#include "vtkPropCollection.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -27,6 +28,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -44,31 +46,16 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
       static_cast<int>(exabricks::Reconstruction::Completed),
   "the mapper hands its reconstruction to the renderer");
 
-namespace
-{
-bool showsTranslucent(vtkRenderer* ren)
-{
-  vtkPropCollection* props = ren->GetViewProps();
-  vtkCollectionSimpleIterator place;
-  props->InitTraversal(place);
-  while (vtkProp* prop = props->GetNextProp(place))
-  {
-    if (prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
-
 struct vtkExaBricksVolumeMapper::vtkInternals
 {
   vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
   exabricks::VolumeRenderer Renderer;
   exabricks::OpenGLPicture Picture;
-  std::vector<glm::vec4> Pixels;
+  exabricks::DepthPeel Peel;
+  exabricks::Pixels Pixels;
+  exabricks::Pixels FrontPixels; // of a peel
   std::vector<float> Depth;
+  exabricks::DrawnRenderers Drawn;
 
   // Of the COMPLETED reconstruction: made of the builder's output when it is asked for.
   struct CompletedLevels
@@ -83,6 +70,9 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
 
+  bool ReconstructionChosen = false;
+  bool VectorChosen = false;
+
   std::set<std::string> Said;     // warnings, once each
   std::string SaidFault;          // of the last picture, said once as long as it stays
   std::string ConfigurationFault; // empty if the builder has the mapper's input and array
@@ -95,82 +85,41 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     }
   }
 
-  // Says what of the scene is not supported. False: nothing can be drawn.
-  bool CheckSupport(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property);
+  // Says a fault, or that there is none any more.
+  void SayFault(vtkExaBricksVolumeMapper* self, const std::string& fault)
+  {
+    if (!fault.empty() && fault != this->SaidFault)
+    {
+      vtkErrorWithObjectMacro(self, "The volume is not drawn: " << fault << ".");
+    }
+    this->SaidFault = fault;
+  }
+
+  // Null: there is nothing to draw.
+  std::shared_ptr<const vtkExaBricksData::Contents> GetContents()
+  {
+    vtkExaBricksData* data = this->Builder->GetOutput();
+    return this->ConfigurationFault.empty() && data ? data->GetContents() : nullptr;
+  }
+
   // Returns which values cannot be drawn with.
   std::string CheckValues(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
+  // Says what the volume is drawn without; returns what is refused.
+  std::string CheckRequests(
+    vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property, int components);
   // Points the builder to the mapper's input and array; returns why it cannot.
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
   void CompleteLevels(const vtkExaBricksData::Contents& contents);
   // Hands the renderer what has changed. Throws std::bad_alloc.
-  void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
+  void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property,
+    const std::shared_ptr<const vtkExaBricksData::Contents>& contents);
+  // Renders the picture and puts it into the window; returns why it cannot.
+  std::string Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
+    const vtkExaBricksData::Contents& contents);
+  // The same for the pieces of rays that a depth peel asks for.
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, const exabricks::Viewport& viewport,
+    exabricks::View view, const std::string& refused);
 };
-
-bool vtkExaBricksVolumeMapper::vtkInternals::CheckSupport(
-  vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolumeProperty* property)
-{
-  static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
-    "average intensity", "additive", "iso-surface", "slice" };
-  const int mode = self->GetBlendMode();
-  if (mode != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
-    vtkErrorWithObjectMacro(self,
-      "Expected blend mode composite, found "
-        << (known ? blendModes[mode] : std::to_string(mode).c_str())
-        << ", which is not supported yet. Call SetBlendModeToComposite().");
-    return false;
-  }
-  if (property->GetShade(0))
-  {
-    this->WarnOnce(self, "Shading is not supported yet: the volume is drawn unshaded.");
-  }
-  if (!property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0))
-  {
-    this->WarnOnce(self, "Gradient opacity is not supported yet: the volume is drawn without it.");
-  }
-  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
-  {
-    this->WarnOnce(self,
-      "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
-  }
-  if (self->GetCropping())
-  {
-    this->WarnOnce(self, "Cropping is not supported yet: the volume is drawn whole.");
-  }
-  if (self->GetNumberOfClippingPlanes() > 0)
-  {
-    this->WarnOnce(self, "Clipping planes are not supported yet: the volume is drawn whole.");
-  }
-  if (ren->GetUseDepthPeeling() && ren->GetUseDepthPeelingForVolumes() && showsTranslucent(ren))
-  {
-    this->WarnOnce(
-      self, "Depth peeling cannot include this volume: it is drawn over translucent geometry.");
-  }
-  return true;
-}
-
-std::string vtkExaBricksVolumeMapper::vtkInternals::CheckValues(
-  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
-{
-  const int components = this->Builder->GetOutput()->GetContents()->Components;
-  if (components > 1 && !property->GetIndependentComponents())
-  {
-    return "expected independent components, found " + std::to_string(components) +
-      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
-      "of the volume property, and choose a component or the magnitude";
-  }
-  const double unit = property->GetScalarOpacityUnitDistance(0);
-  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale) ||
-    !std::isfinite(self->ErrorTolerance))
-  {
-    return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
-           "ErrorTolerance, found " +
-      std::to_string(unit) + ", " + std::to_string(self->StepScale) + " and " +
-      std::to_string(self->ErrorTolerance);
-  }
-  return {};
-}
 
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
 {
@@ -258,10 +207,9 @@ void vtkExaBricksVolumeMapper::vtkInternals::CompleteLevels(
   this->Completed = std::move(levels);
 }
 
-void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
-  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMapper* self,
+  vtkVolumeProperty* property, const std::shared_ptr<const vtkExaBricksData::Contents>& contents)
 {
-  const auto& contents = this->Builder->GetOutput()->GetContents();
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
   this->Renderer.selectDevice(self->Device ? self->Device : "");
   const bool newData = contents != this->Contents;
@@ -318,6 +266,40 @@ void vtkExaBricksVolumeMapper::SetInputData(vtkOverlappingAMR* amr)
 {
   this->SetInputDataInternal(0, amr);
 }
+
+void vtkExaBricksVolumeMapper::SetReconstruction(int reconstruction)
+{
+  const int clamped = vtkMath::ClampValue(reconstruction, int(BASIS), int(COMPLETED));
+  if (clamped != this->Reconstruction || !this->Internals->ReconstructionChosen)
+  {
+    this->Internals->ReconstructionChosen = true;
+    this->Reconstruction = clamped;
+    this->Modified();
+  }
+}
+
+void vtkExaBricksVolumeMapper::SetVectorMode(int mode)
+{
+  const int clamped = vtkMath::ClampValue(mode, int(MAGNITUDE), int(COMPONENT));
+  if (clamped != this->VectorMode || !this->Internals->VectorChosen)
+  {
+    this->Internals->VectorChosen = true;
+    this->VectorMode = clamped;
+    this->Modified();
+  }
+}
+
+void vtkExaBricksVolumeMapper::SetVectorComponent(int component)
+{
+  const int clamped = std::max(component, 0);
+  if (clamped != this->VectorComponent)
+  {
+    this->VectorComponent = clamped;
+    this->Modified();
+  }
+}
+
+bool vtkExaBricksVolumeMapper::GetDrawn() { return this->Internals->Drawn.any(); }
 
 const char* vtkExaBricksVolumeMapper::GetReconstructionAsString()
 {
@@ -432,6 +414,126 @@ void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
   }
 }
 
+std::string vtkExaBricksVolumeMapper::vtkInternals::CheckValues(
+  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
+{
+  const double unit = property->GetScalarOpacityUnitDistance(0);
+  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale) ||
+    !std::isfinite(self->ErrorTolerance))
+  {
+    return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
+           "ErrorTolerance, found " +
+      std::to_string(unit) + ", " + std::to_string(self->StepScale) + " and " +
+      std::to_string(self->ErrorTolerance);
+  }
+  return {};
+}
+
+std::string vtkExaBricksVolumeMapper::vtkInternals::CheckRequests(
+  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property, int components)
+{
+  exabricks::Requests requests =
+    exabricks::checkComponents(property, components, this->VectorChosen);
+  if (!this->ReconstructionChosen && property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  {
+    requests.drawnWithout.push_back(
+      "The property's interpolation type is nearest, its default, and does not count yet: the "
+      "volume is drawn continuous, by the reconstruction Basis. Call SetReconstructionToNearest(), "
+      "or SetInterpolationTypeToLinear() of the property.");
+  }
+  for (const std::string& what : requests.drawnWithout)
+  {
+    this->WarnOnce(self, what);
+  }
+  return requests.refused;
+}
+
+std::string vtkExaBricksVolumeMapper::vtkInternals::Draw(vtkExaBricksVolumeMapper* self,
+  vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  if (!window)
+  {
+    return "expected a window that draws with OpenGL (vtkOpenGLRenderWindow), found a " +
+      std::string(ren->GetRenderWindow()->GetClassName());
+  }
+  const exabricks::Viewport viewport = exabricks::findViewport();
+  if (viewport.width <= 0 || viewport.height <= 0)
+  {
+    return {};
+  }
+  exabricks::View view = exabricks::makeView(ren, vol, contents, viewport.width, viewport.height);
+  view.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
+  view.stepScale = self->StepScale;
+  view.errorTolerance = self->ErrorTolerance;
+  view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+  view.terminationOpacity = self->EarlyTerminationOpacity;
+
+  const std::string refused = "expected OpenGL to take a picture of " +
+    std::to_string(viewport.width) + " x " + std::to_string(viewport.height) +
+    " pixels as a float texture, it refused";
+  if (this->Peel.begin(self, vol))
+  {
+    return this->DrawPeel(window, viewport, view, refused);
+  }
+  const exabricks::OpaqueDepth opaque = exabricks::readDepth(window, viewport, this->Depth);
+  if (opaque == exabricks::OpaqueDepth::Refused)
+  {
+    return "expected OpenGL to copy the depth of a multisampled framebuffer, it refused. Call "
+           "SetMultiSamples(0) of the window";
+  }
+  view.depth = opaque == exabricks::OpaqueDepth::Read ? this->Depth.data() : nullptr;
+  const std::string fault = this->Renderer.render(view, this->Pixels);
+  return !fault.empty()                                  ? fault
+    : this->Picture.draw(window, viewport, this->Pixels) ? std::string()
+                                                         : refused;
+}
+
+std::string vtkExaBricksVolumeMapper::vtkInternals::DrawPeel(vtkOpenGLRenderWindow* window,
+  const exabricks::Viewport& viewport, exabricks::View view, const std::string& refused)
+{
+  exabricks::RayPieces back;
+  exabricks::RayPieces front;
+  if (!this->Peel.readPieces(window, viewport, back, front))
+  {
+    return "expected OpenGL to run the shader of VTK's depth peeling, it refused. Call "
+           "SetUseDepthPeelingForVolumes(false) of the renderer";
+  }
+  if (!back.any && !front.any)
+  {
+    return {};
+  }
+  if (!view.whole)
+  {
+    view.whole =
+      exabricks::View::Whole{ view.ndcToHalfCells, view.ndcToData, view.width, view.height };
+  }
+  const auto render = [&](const exabricks::RayPieces& pieces, exabricks::Pixels& pixels)
+  {
+    view.nearDepth = pieces.begin.data();
+    view.depth = pieces.end.data();
+    return this->Renderer.render(view, pixels);
+  };
+  std::string fault;
+  if (back.any)
+  {
+    fault = render(back, this->Pixels);
+  }
+  else
+  {
+    this->Pixels.assign(back.begin.size(), glm::vec4(0.0f));
+  }
+  this->FrontPixels.clear();
+  if (front.any && fault.empty())
+  {
+    fault = render(front, this->FrontPixels);
+  }
+  return !fault.empty() ? fault
+    : this->Picture.draw(window, viewport, this->Peel, this->Pixels, this->FrontPixels)
+    ? std::string()
+    : refused;
+}
+
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
@@ -440,57 +542,42 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     return; // blended colours would be taken for ids
   }
-  this->Drawn = false;
-  if (!internals.CheckSupport(this, ren, property))
+  internals.Drawn.set(ren, false);
+  const exabricks::Requests requests = exabricks::checkRequests(this, property);
+  for (const std::string& what : requests.drawnWithout)
   {
+    internals.WarnOnce(this, what);
+  }
+  if (!requests.refused.empty())
+  {
+    internals.SayFault(this, requests.refused);
     return;
   }
   this->Update();
-  const vtkExaBricksData* data = internals.Builder->GetOutput();
-  if (!internals.ConfigurationFault.empty() || !data || !data->GetContents() ||
-    ren->GetRenderWindow()->CheckAbortStatus())
+  if (!internals.GetContents() || ren->GetRenderWindow()->CheckAbortStatus())
   {
     return; // the builder has said why, or was told to stop
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
-  std::string fault = internals.CheckValues(this, property);
-  try
+  // An observer may have changed what there is to draw.
+  if (const auto contents = internals.GetContents())
   {
-    internals.UpdateRenderer(this, property);
-  }
-  catch (const std::bad_alloc&)
-  {
-    internals.Contents.reset();
-    fault = "out of memory on the host";
-  }
-
-  const auto viewport = exabricks::OpenGLPicture::findViewport(ren);
-  if (fault.empty() && viewport.width > 0 && viewport.height > 0)
-  {
-    exabricks::View view = exabricks::makeView(ren, vol, *internals.Contents);
-    view.width = viewport.width;
-    view.height = viewport.height;
-    const bool hasDepth = exabricks::OpenGLPicture::readDepth(ren, viewport, internals.Depth);
-    view.depth = hasDepth ? internals.Depth.data() : nullptr;
-    view.reconstruction = static_cast<exabricks::Reconstruction>(this->Reconstruction);
-    view.stepScale = this->StepScale;
-    view.errorTolerance = this->ErrorTolerance;
-    view.opacityUnitDistance = property->GetScalarOpacityUnitDistance(0);
-    view.terminationOpacity = this->EarlyTerminationOpacity;
-    fault = internals.Renderer.render(view, internals.Pixels);
-    if (fault.empty() && !internals.Picture.draw(ren, viewport, internals.Pixels))
+    std::string fault = internals.CheckRequests(this, property, contents->Components);
+    fault = fault.empty() ? internals.CheckValues(this, property) : fault;
+    try
     {
-      fault = "expected OpenGL to take a picture of " + std::to_string(viewport.width) + " x " +
-        std::to_string(viewport.height) + " pixels as a float texture, it refused";
+      internals.UpdateRenderer(this, property, contents);
+      fault = fault.empty() ? internals.Draw(this, ren, vol, *contents) : fault;
     }
+    catch (const std::bad_alloc&)
+    {
+      internals.Contents.reset();
+      fault = "out of memory on the host";
+    }
+    internals.SayFault(this, fault);
+    internals.Drawn.set(ren, fault.empty());
   }
-  if (!fault.empty() && fault != internals.SaidFault)
-  {
-    vtkErrorMacro("The volume is not drawn: " << fault << ".");
-  }
-  internals.SaidFault = fault;
-  this->Drawn = fault.empty();
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
@@ -498,6 +585,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 void vtkExaBricksVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Picture.release(window);
+  this->Internals->Peel.release(window);
   this->Internals->Renderer.release();
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -514,7 +602,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Device: " << (this->Device ? this->Device : "(best)") << "\n";
-  os << indent << "Drawn: " << this->Drawn << "\n";
+  os << indent << "Drawn: " << this->GetDrawn() << "\n";
   os << indent << "DeviceName: " << this->GetDeviceName() << "\n";
   os << indent << "TraversalUsed: " << this->GetTraversalUsed() << "\n";
   os << indent << "NumberOfActiveRegions: " << this->GetNumberOfActiveRegions() << "\n";

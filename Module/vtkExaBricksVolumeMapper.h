@@ -17,10 +17,16 @@
  * volume->SetMapper(mapper);
  * @endcode
  *
- * Of the volume property it honours colour (1 or 3 channels), scalar opacity and its unit distance.
- * It says so when it is asked for what it does not do yet: blend modes other than composite and
+ * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar opacity
+ * and its unit distance, a length in the data's own coordinates, before the volume's matrix. It
+ * says so when it is asked for what it does not do yet: blend modes other than composite and
  * dependent components such as RGBA (an error, nothing is drawn); shading, gradient opacity, 2-D
- * transfer functions, cropping and clipping planes (a warning, drawn without).
+ * transfer functions, several independent components and their weights, colours of categories,
+ * cropping, clipping planes, and an interpolation type that Reconstruction does not follow (a
+ * warning, drawn without).
+ *
+ * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
+ * geometry shows in the right order with it; else the volume is drawn over it.
  *
  * @par Thanks:
  * Wald, Zellmann, Usher, Morrical, Lang, Pascucci, "Ray Tracing Structured AMR Data Using
@@ -59,7 +65,8 @@ public:
    * values extrapolated from the other levels beside it, and between the levels the mean weighted
    * with the tents. Continuous, and exact for linear fields across levels, where the basis is off
    * by up to half a fine cell for a ratio of 2; costs as much time a picture as the basis, and
-   * memory for one layer of cells more around each brick.
+   * memory for one layer of cells more around each brick. Where none was chosen, and the property's
+   * interpolation type is nearest, as it is by default, a warning says that BASIS is drawn.
    */
   enum ReconstructionType
   {
@@ -67,7 +74,7 @@ public:
     NEAREST = 1,
     COMPLETED = 2
   };
-  vtkSetClampMacro(Reconstruction, int, BASIS, COMPLETED);
+  virtual void SetReconstruction(int reconstruction);
   vtkGetMacro(Reconstruction, int);
   void SetReconstructionToBasis() { this->SetReconstruction(BASIS); }
   void SetReconstructionToNearest() { this->SetReconstruction(NEAREST); }
@@ -97,9 +104,11 @@ public:
    * levels that the picture hardly needs, as their cells are smaller than pixels or vary little,
    * are left out: the next one's cells take the mean of theirs. For that the device holds the
    * volume without them too, a quarter more memory where blocks are large, up to twice as much in
-   * octrees of small ones. 0 (default): step and opacity alone count, and all levels are drawn. Has
-   * no effect on the nearest reconstruction, which is exact. Below about 1e-4 a picture takes
-   * seconds, and single precision is the limit.
+   * octrees of small ones. The choice depends on the view and its opaque geometry alone, not on
+   * what was drawn before; the tiles of a large picture and the eyes of a stereo one have that of
+   * the whole, without regard to geometry. 0 (default): step and opacity alone count, and all
+   * levels are drawn. Has no effect on the nearest reconstruction, which is exact. Below about 1e-4
+   * a picture takes seconds, and single precision is the limit.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
@@ -136,17 +145,18 @@ public:
   ///@{
   /**
    * What to take of an array with several components: their magnitude (default), or one of them.
+   * Where neither was chosen, a warning says that the magnitude is drawn.
    */
   enum VectorModeType
   {
     MAGNITUDE = 0,
     COMPONENT = 1
   };
-  vtkSetClampMacro(VectorMode, int, MAGNITUDE, COMPONENT);
+  virtual void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
-  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  virtual void SetVectorComponent(int component);
   vtkGetMacro(VectorComponent, int);
   ///@}
 
@@ -163,9 +173,10 @@ public:
   /// One line for each Vulkan device: index, name, and what it can do.
   static void GetDevices(vtkStringArray* lines);
 
-  /// Whether the last Render() put the volume into the picture. If not, an error has said why,
-  /// once.
-  vtkGetMacro(Drawn, bool);
+  /// Whether the volume is in the last picture of one of the renderers that show it. It is not
+  /// where the volume is not visible or culled, where a render was aborted, or where an error has
+  /// said, once, why it cannot be drawn.
+  bool GetDrawn();
 
   /// The filter that makes bricks and regions. Its output is up to date after Update().
   vtkExaBricksBuilder* GetBuilder();
@@ -221,7 +232,6 @@ protected:
   int VectorMode = MAGNITUDE;
   int VectorComponent = 0;
   char* Device = nullptr;
-  bool Drawn = false;
 
 private:
   vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;

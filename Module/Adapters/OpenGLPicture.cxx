@@ -1,96 +1,162 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/OpenGLPicture.h"
 
-#include "vtkOpenGLRenderUtilities.h" // brings the OpenGL loader of this VTK
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkRenderer.h"
-#include "vtkTextureObject.h"
+#include "Adapters/OpenGLStateKeeper.h"
 
-#include <algorithm>
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 namespace exabricks
 {
-OpenGLPicture::OpenGLPicture() = default;
-OpenGLPicture::~OpenGLPicture() = default;
-
-OpenGLPicture::Viewport OpenGLPicture::findViewport(vtkRenderer* ren)
+namespace
 {
-  // Not the renderer's size in the window: passes render into framebuffers of their own.
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  int viewport[4] = { 0, 0, 0, 0 };
-  if (window)
+constexpr const char* OverShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D back;
+void main()
+{
+  gl_FragData[0] = texture2D(back, texCoord);
+}
+)";
+
+// A peel has two targets: colours behind what is peeled, and those before it, which have gathered
+// what the uniform lastFrontColorTex holds (VTK's name, as its pass sets it). The second is written
+// so that blending "over" makes of it what is gathered, with this picture under it, whatever other
+// volumes have drawn there since: of last + (1 - last.a) f, the part that blending does not add.
+constexpr const char* PeelShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D back;
+uniform sampler2D front;
+uniform int hasFront;
+uniform int continuesFront;
+uniform sampler2D lastFrontColorTex;
+void main()
+{
+  gl_FragData[0] = texture2D(back, texCoord);
+  vec4 f = vec4(0.0);
+  if (hasFront != 0)
   {
-    window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+    f = texture2D(front, texCoord);
+    if (continuesFront != 0)
+    {
+      vec4 last = texture2D(lastFrontColorTex, texCoord);
+      f.rgb = f.a * last.rgb + (1.0 - last.a) * f.rgb;
+    }
   }
-  return { viewport[0], viewport[1], viewport[2], viewport[3] };
+  gl_FragData[1] = f;
+}
+)";
+
+// "Over", of premultiplied colours.
+void setBlending()
+{
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-bool OpenGLPicture::readDepth(vtkRenderer* ren, const Viewport& viewport, std::vector<float>& depth)
+void prepare(
+  std::unique_ptr<vtkOpenGLQuadHelper>& helper, vtkOpenGLRenderWindow* window, const char* shader)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  if (samples > 0)
+  if (!helper)
   {
-    // Samples have to be resolved first, which VTK knows how to do.
-    window->GetZbufferData(viewport.x, viewport.y, viewport.x + viewport.width - 1,
-      viewport.y + viewport.height - 1, depth.data());
+    helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader, nullptr);
   }
   else
   {
-    vtkOpenGLState* state = window->GetState();
-    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    GLint alignment = 4;
-    glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(viewport.x, viewport.y, viewport.width, viewport.height, GL_DEPTH_COMPONENT,
-      GL_FLOAT, depth.data());
-    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
+    window->GetShaderCache()->ReadyShaderProgram(helper->Program);
   }
-  return std::any_of(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+}
 }
 
-bool OpenGLPicture::draw(
-  vtkRenderer* ren, const Viewport& viewport, std::vector<glm::vec4>& picture)
+OpenGLPicture::OpenGLPicture() = default;
+OpenGLPicture::~OpenGLPicture() = default;
+
+void OpenGLPicture::SetWindow(vtkOpenGLRenderWindow* window)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  if (!this->Texture || this->Texture->GetContext() != window)
+  if (window != this->Window)
   {
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-    this->Texture->SetContext(window);
+    this->release(window);
+    this->Window = window;
   }
-  if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
-        static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data()))
+}
+
+bool OpenGLPicture::Upload(Texture& texture, const Viewport& viewport, Pixels& picture)
+{
+  if (!texture)
+  {
+    texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(this->Window);
+  }
+  return texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
+    static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data());
+}
+
+bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture)
+{
+  const OpenGLStateKeeper keeper(window->GetState());
+  this->SetWindow(window);
+  if (!this->Upload(this->Back, viewport, picture))
   {
     return false;
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  this->Texture->Activate();
-  vtkOpenGLState::ScopedglViewport savedViewport(state);
-  // It sets a viewport from (0, 0) to the size it is given, and places the picture in it.
-  this->Texture->CopyToFrameBuffer(0, 0, viewport.width - 1, viewport.height - 1, viewport.x,
-    viewport.y, viewport.x + viewport.width, viewport.y + viewport.height, nullptr, nullptr);
-  this->Texture->Deactivate();
+  setBlending();
+  prepare(this->Over, window, OverShader);
+  this->Back->Activate();
+  this->Over->Program->SetUniformi("back", this->Back->GetTextureUnit());
+  this->Over->Render();
+  this->Back->Deactivate();
+  return true;
+}
+
+bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, DepthPeel& peel,
+  Pixels& back, Pixels& front)
+{
+  const OpenGLStateKeeper keeper(window->GetState());
+  this->SetWindow(window);
+  if (!this->Upload(this->Back, viewport, back) ||
+    (!front.empty() && !this->Upload(this->Front, viewport, front)))
+  {
+    return false;
+  }
+  setBlending();
+  prepare(this->Peel, window, PeelShader);
+  vtkShaderProgram* program = this->Peel->Program;
+  peel.setParameters(program);
+  program->SetUniformi("hasFront", !front.empty());
+  program->SetUniformi("continuesFront", peel.continuesFront());
+  this->Back->Activate();
+  program->SetUniformi("back", this->Back->GetTextureUnit());
+  if (!front.empty())
+  {
+    this->Front->Activate();
+    program->SetUniformi("front", this->Front->GetTextureUnit());
+  }
+  this->Peel->Render();
+  this->Back->Deactivate();
+  if (!front.empty())
+  {
+    this->Front->Deactivate();
+  }
   return true;
 }
 
 void OpenGLPicture::release(vtkWindow* window)
 {
-  if (this->Texture)
+  for (Texture* texture : { &this->Back, &this->Front })
   {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
   }
+  this->Over.reset();
+  this->Peel.reset();
+  this->Window = nullptr;
 }
 }

@@ -1,47 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between the picture of the Vulkan pass and the framebuffer that VTK renders into: opaque depth
-// in, premultiplied picture out.
+// The picture of the Vulkan pass, blended into the framebuffer that VTK renders into.
 #ifndef ExaBricksAdaptersOpenGLPicture_h
 #define ExaBricksAdaptersOpenGLPicture_h
 
+#include "Adapters/DepthPeel.h"
+
 #include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
 
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
-class vtkRenderer;
+class vtkOpenGLQuadHelper;
 class vtkTextureObject;
-class vtkWindow;
 
 namespace exabricks
 {
+/// Premultiplied red, green, blue, opacity, [height][width], row 0 at the bottom.
+using Pixels = std::vector<glm::vec4>;
+
 class OpenGLPicture
 {
 public:
   OpenGLPicture();
   ~OpenGLPicture();
 
-  /// Lower left corner and size, in pixels, of what `ren` renders into at this moment.
-  struct Viewport
-  {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-  };
-  static Viewport findViewport(vtkRenderer* ren);
-
-  /// Window depth in [0, 1] of all that is drawn so far, row 0 at the bottom; false if nothing is.
-  static bool readDepth(vtkRenderer* ren, const Viewport& viewport, std::vector<float>& depth);
-
-  /// Blends a premultiplied picture of the viewport's size over what is drawn so far.
-  bool draw(vtkRenderer* ren, const Viewport& viewport, std::vector<glm::vec4>& picture);
+  /// Blends a picture of the viewport's size over what is drawn so far. False: OpenGL refuses one
+  /// so large.
+  bool draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture);
+  /// The same into the targets of a peel: the pieces of rays behind what is peeled, and those
+  /// before it, which may be empty.
+  bool draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, DepthPeel& peel, Pixels& back,
+    Pixels& front);
 
   /// May be called twice, and with a window that is going away.
   void release(vtkWindow* window);
 
 private:
-  vtkSmartPointer<vtkTextureObject> Texture;
+  using Texture = vtkSmartPointer<vtkTextureObject>;
+
+  void SetWindow(vtkOpenGLRenderWindow* window);
+  bool Upload(Texture& texture, const Viewport& viewport, Pixels& picture);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // what the rest was made for
+  Texture Back;
+  Texture Front;
+  std::unique_ptr<vtkOpenGLQuadHelper> Over;
+  std::unique_ptr<vtkOpenGLQuadHelper> Peel;
 };
 }
 

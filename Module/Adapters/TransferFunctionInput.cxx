@@ -2,10 +2,12 @@
 #include "Adapters/TransferFunctionInput.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -80,6 +82,70 @@ struct Bends
   }
 };
 
+using Colors = std::function<std::array<double, 3>(double)>;
+
+Colors colorsOf(vtkColorTransferFunction* function)
+{
+  return [=](double value)
+  {
+    std::array<double, 3> rgb;
+    if (function->GetIndexedLookup())
+    {
+      // Of categories, a subclass of VTK's knows the colors of the listed values alone.
+      function->vtkColorTransferFunction::GetColor(value, rgb.data());
+    }
+    else
+    {
+      function->GetColor(value, rgb.data());
+    }
+    return rgb;
+  };
+}
+
+// A function that shows steps of colors, or null.
+vtkDiscretizableColorTransferFunction* asDiscretized(vtkColorTransferFunction* function)
+{
+  auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
+  return discretizable && discretizable->GetDiscretize() && !discretizable->GetIndexedLookup()
+    ? discretizable
+    : nullptr;
+}
+
+// The values at which the steps end: VTK rounds in its own way, so they are searched for between
+// the middles of the steps.
+void addSteps(Bends& bends, vtkDiscretizableColorTransferFunction* function)
+{
+  const int steps = static_cast<int>(function->GetNumberOfValues());
+  double range[2];
+  function->GetRange(range);
+  const bool log = function->GetUseLogScale() && (range[0] > 0.0 || range[1] < 0.0);
+  const auto middle = [&](int step)
+  {
+    const double part = (step + 0.5) / steps;
+    return log ? range[0] * std::pow(range[1] / range[0], part)
+               : range[0] + part * (range[1] - range[0]);
+  };
+  const Colors colorAt = colorsOf(function);
+  bends.Values.insert(range[0]);
+  bends.Values.insert(range[1]);
+  for (int step = 1; step < steps; ++step)
+  {
+    double below = middle(step - 1);
+    double above = middle(step);
+    const std::array<double, 3> color = colorAt(below);
+    if (color == colorAt(above))
+    {
+      continue;
+    }
+    for (double half = 0.5 * (below + above); half > below && half < above;
+         half = 0.5 * (below + above))
+    {
+      (colorAt(half) == color ? below : above) = half;
+    }
+    bends.Values.insert(above);
+  }
+}
+
 // Where the function jumps at a bend, a point on each side of it too, one float away: the device
 // compares floats, and a value that sits on a node has to get what VTK gives it there.
 TransferFunction sampleAtBends(
@@ -148,12 +214,18 @@ TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& 
       { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
   }
   vtkColorTransferFunction* colors = property->GetRGBTransferFunction(0);
-  bends.Add(colors);
+  if (auto* discretized = asDiscretized(colors))
+  {
+    addSteps(bends, discretized);
+  }
+  else
+  {
+    bends.Add(colors);
+  }
   return sampleAtBends(bends, range,
-    [=](double value)
+    [opacity, colorAt = colorsOf(colors)](double value)
     {
-      double rgb[3];
-      colors->GetColor(value, rgb);
+      const std::array<double, 3> rgb = colorAt(value);
       return glm::dvec4(rgb[0], rgb[1], rgb[2], opacity->GetValue(value));
     });
 }

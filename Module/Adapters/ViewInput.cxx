@@ -3,9 +3,13 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
@@ -26,20 +30,102 @@ glm::dmat4 toGLM(vtkMatrix4x4* matrix)
   }
   return result;
 }
+
+// From world to normalised device coordinates, as VTK's geometry takes it: with the eye of a stereo
+// picture and the camera's model transform.
+glm::dmat4 findProjection(vtkRenderer* ren)
+{
+  vtkCamera* camera = ren->GetActiveCamera();
+  if (auto* openGL = vtkOpenGLCamera::SafeDownCast(camera))
+  {
+    vtkMatrix4x4* worldToView = nullptr;
+    vtkMatrix3x3* normals = nullptr;
+    vtkMatrix4x4* viewToNdc = nullptr;
+    vtkMatrix4x4* worldToNdc = nullptr;
+    openGL->GetKeyMatrices(ren, worldToView, normals, viewToNdc, worldToNdc);
+    return glm::transpose(toGLM(worldToNdc)); // stored as OpenGL takes it
+  }
+  const glm::dmat4 projection =
+    toGLM(camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1.0, 1.0));
+  return projection * toGLM(camera->GetModelViewTransformMatrix());
 }
 
-View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents)
+// The same from between the eyes. VTK leaves the model transform out of its composite matrix.
+glm::dmat4 findCentralProjection(vtkRenderer* ren)
 {
-  View view;
+  vtkCamera* camera = ren->GetActiveCamera();
   // With (-1, 1): explicit projections, as of tiled displays, ignore near and far arguments.
-  const glm::dmat4 worldToNdc = toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    ren->GetTiledAspectRatio(), -1.0, 1.0));
-  view.ndcToWorld = glm::inverse(worldToNdc);
-  // World -> volume -> half cells from the lower corner of the bounds.
-  glm::dmat4 volumeToHalfCells = glm::scale(glm::dmat4(1.0), 2.0 / contents.Spacing);
-  volumeToHalfCells = glm::translate(volumeToHalfCells, -contents.World(glm::dvec3(0.0)));
-  const glm::dmat4 worldToVolume = glm::inverse(toGLM(vol->GetMatrix()));
-  view.ndcToHalfCells = volumeToHalfCells * worldToVolume * view.ndcToWorld;
+  const glm::dmat4 composite =
+    toGLM(camera->GetCompositeProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1.0, 1.0));
+  return composite * toGLM(camera->GetModelTransformMatrix());
+}
+
+// Where the window is tiled, the camera is that of one tile: the middle and the half size of the
+// tile, in normalised device coordinates of the renderer's whole picture along one axis.
+struct TilePart
+{
+  double middle = 0.0;
+  double half = 1.0;
+
+  TilePart(const double viewport[4], const double tile[4], int axis)
+  {
+    const double size = viewport[axis + 2] - viewport[axis];
+    const double from = std::clamp(viewport[axis], tile[axis], tile[axis + 2]);
+    const double to = std::clamp(viewport[axis + 2], tile[axis], tile[axis + 2]);
+    if (size > 0.0 && to > from)
+    {
+      this->middle = (from + to - viewport[axis] - viewport[axis + 2]) / size;
+      this->half = (to - from) / size;
+    }
+  }
+};
+}
+
+View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents,
+  int width, int height)
+{
+  vtkCamera* camera = ren->GetActiveCamera();
+  // Data -> half cells from the lower corner of the bounds.
+  const glm::dmat4 dataToHalfCells = glm::translate(
+    glm::scale(glm::dmat4(1.0), 2.0 / contents.Spacing), -contents.World(glm::dvec3(0.0)));
+  const glm::dmat4 worldToData = glm::inverse(toGLM(vol->GetMatrix()));
+
+  View view;
+  view.width = width;
+  view.height = height;
+  view.ndcToData = worldToData * glm::inverse(findProjection(ren));
+  view.ndcToHalfCells = dataToHalfCells * view.ndcToData;
+
+  vtkWindow* window = ren->GetVTKWindow();
+  int tiles[2] = { 1, 1 };
+  if (window)
+  {
+    window->GetTileScale(tiles);
+  }
+  const bool tiled = tiles[0] > 1 || tiles[1] > 1;
+  if (tiled || camera->GetStereo())
+  {
+    View::Whole whole{ view.ndcToHalfCells, view.ndcToData, width, height };
+    glm::dmat4 ndcToWorld = glm::inverse(findCentralProjection(ren));
+    if (tiled)
+    {
+      double viewport[4];
+      double tile[4];
+      ren->GetViewport(viewport);
+      window->GetTileViewport(tile);
+      const TilePart x(viewport, tile, 0);
+      const TilePart y(viewport, tile, 1);
+      glm::dmat4 tileToWhole = glm::translate(glm::dmat4(1.0), glm::dvec3(x.middle, y.middle, 0.0));
+      tileToWhole = glm::scale(tileToWhole, glm::dvec3(x.half, y.half, 1.0));
+      ndcToWorld = ndcToWorld * glm::inverse(tileToWhole);
+      const int* size = window->GetSize(); // of all tiles
+      whole.width = static_cast<int>(std::lround((viewport[2] - viewport[0]) * size[0]));
+      whole.height = static_cast<int>(std::lround((viewport[3] - viewport[1]) * size[1]));
+    }
+    whole.ndcToData = worldToData * ndcToWorld;
+    whole.ndcToHalfCells = dataToHalfCells * whole.ndcToData;
+    view.whole = whole;
+  }
   return view;
 }
 }

@@ -11,8 +11,12 @@ class vtkVolume;
 
 namespace exabricks
 {
-/// Perspective, parallel and explicit projections, with the volume's matrix.
-View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents);
+/// What opaque geometry is drawn with, for a picture of `width` x `height` pixels: perspective,
+/// parallel, sheared, off-axis and explicit projections, the eye of a stereo picture, the part of a
+/// tiled one, and the camera's model transform. The data's own coordinates are those before the
+/// volume's matrix, in which VTK measures the opacity unit distance.
+View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents,
+  int width, int height);
 }
 
 #endif

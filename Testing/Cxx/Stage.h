@@ -141,6 +141,7 @@ struct Stage
     // A property makes functions with nodes at 0 and 1024 unless it is given some.
     this->Property()->SetColor(vtkNew<vtkColorTransferFunction>());
     this->Property()->SetScalarOpacity(vtkNew<vtkPiecewiseFunction>());
+    this->Property()->SetInterpolationTypeToLinear();
   }
 
   explicit Stage(vtkOverlappingAMR* amr, int size = 100)

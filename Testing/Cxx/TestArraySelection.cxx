@@ -87,6 +87,8 @@ int TestArraySelection(int, char*[])
 
   mapper->SelectScalarArray("vector");
   selection.Is("vector", 13.0, "magnitude");
+  checks.Says(messages.TakeWarnings(), { "independent components", "3 of the array" },
+    "the magnitude was not chosen");
   mapper->SetVectorModeToComponent();
   for (int component = 0; component < 3; ++component)
   {

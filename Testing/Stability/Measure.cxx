@@ -74,7 +74,7 @@ void setProperty(const Setting& setting, vtkVolumeProperty* property)
   }
   property->SetColor(colors);
   property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(setting.unitDistance);
+  property->SetScalarOpacityUnitDistance(setting.unitDistance / setting.scale);
   property->SetInterpolationTypeToLinear();
   property->ShadeOff();
 }
@@ -204,12 +204,11 @@ reference::Image Subject::draw(
   vtkNew<vtkVolumeProperty> property;
   setProperty(this->Given, property);
 
-  View view = makeView(scene, volume, *this->Contents);
-  view.width = this->Given.width;
-  view.height = this->Given.height;
+  View view = makeView(
+    scene, volume, *this->Contents, this->Given.width, this->Given.height);
   view.reconstruction = reconstruction;
   view.stepScale = this->Given.stepScale;
-  view.opacityUnitDistance = this->Given.unitDistance;
+  view.opacityUnitDistance = this->Given.unitDistance / this->Given.scale;
   view.terminationOpacity = 1.0; // never
   vulkan::faults().largestValueBuffer = this->Given.largestValueBuffer;
   VolumeRenderer& renderer = renderers.get(reconstruction, traversal);

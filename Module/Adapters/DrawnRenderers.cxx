@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/DrawnRenderers.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace exabricks
+{
+DrawnRenderers::DrawnRenderers()
+{
+  this->Command->SetClientData(this);
+  this->Command->SetCallback(DrawnRenderers::OnEvent);
+}
+
+DrawnRenderers::~DrawnRenderers()
+{
+  for (const auto& [ren, drawn] : this->Drawn)
+  {
+    ren->RemoveObserver(this->Command);
+  }
+}
+
+void DrawnRenderers::set(vtkRenderer* ren, bool drawn)
+{
+  const auto [at, isNew] = this->Drawn.try_emplace(ren, drawn);
+  at->second = drawn;
+  if (isNew)
+  {
+    ren->AddObserver(vtkCommand::StartEvent, this->Command);
+    ren->AddObserver(vtkCommand::DeleteEvent, this->Command);
+  }
+}
+
+bool DrawnRenderers::any() const
+{
+  return std::any_of(
+    this->Drawn.begin(), this->Drawn.end(), [](const auto& entry) { return entry.second; });
+}
+
+void DrawnRenderers::OnEvent(vtkObject* caller, unsigned long event, void* self, void*)
+{
+  auto& drawn = static_cast<DrawnRenderers*>(self)->Drawn;
+  auto* ren = static_cast<vtkRenderer*>(caller);
+  if (event == vtkCommand::DeleteEvent)
+  {
+    drawn.erase(ren);
+  }
+  else if (!ren->GetSelector()) // whose pictures are not shown
+  {
+    drawn[ren] = false;
+  }
+}
+}

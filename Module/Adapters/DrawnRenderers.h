@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The renderers whose last picture has a mapper's volume in it. VTK does not call the mapper for
+// pictures without its volume, so each renderer's own events tell that there is a new one.
+#ifndef ExaBricksAdaptersDrawnRenderers_h
+#define ExaBricksAdaptersDrawnRenderers_h
+
+#include <map>
+
+#include "vtkNew.h"
+
+class vtkCallbackCommand;
+class vtkObject;
+class vtkRenderer;
+
+namespace exabricks
+{
+class DrawnRenderers
+{
+public:
+  DrawnRenderers();
+  ~DrawnRenderers();
+  DrawnRenderers(const DrawnRenderers&) = delete;
+  void operator=(const DrawnRenderers&) = delete;
+
+  void set(vtkRenderer* ren, bool drawn);
+  bool any() const;
+
+private:
+  static void OnEvent(vtkObject* caller, unsigned long event, void* self, void*);
+
+  vtkNew<vtkCallbackCommand> Command;
+  std::map<vtkRenderer*, bool> Drawn; // of renderers that are observed
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaves the state of OpenGL that drawing and reading change as it was found, and sets it to what
+// both begin with: nothing is tested, culled or blended, and pixels are rows of memory. It asks
+// OpenGL itself, and not VTK's record of the state, which does not know of calls around VTK.
+#ifndef ExaBricksAdaptersOpenGLStateKeeper_h
+#define ExaBricksAdaptersOpenGLStateKeeper_h
+
+#include "vtkOpenGLRenderUtilities.h" // brings the OpenGL loader of this VTK
+
+#include <array>
+
+class vtkOpenGLState;
+
+namespace exabricks
+{
+class OpenGLStateKeeper
+{
+public:
+  explicit OpenGLStateKeeper(vtkOpenGLState* state);
+  ~OpenGLStateKeeper();
+  OpenGLStateKeeper(const OpenGLStateKeeper&) = delete;
+  void operator=(const OpenGLStateKeeper&) = delete;
+
+private:
+  static constexpr std::array<GLenum, 5> Switches{ GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE,
+    GL_SCISSOR_TEST, GL_STENCIL_TEST };
+  static constexpr std::array<GLenum, 6> Storage{ GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+    GL_PACK_SKIP_PIXELS, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS };
+
+  vtkOpenGLState* State;
+  std::array<GLboolean, Switches.size()> On;
+  std::array<GLint, Storage.size()> Stored;
+  GLboolean DepthMask;
+  GLint BlendEquationColor;
+  GLint BlendEquationAlpha;
+  GLint BlendSourceColor;
+  GLint BlendTargetColor;
+  GLint BlendSourceAlpha;
+  GLint BlendTargetAlpha;
+  GLint ReadFramebuffer;
+  GLint DrawFramebuffer;
+  GLint ActiveTexture;
+  GLint PackAlignment;
+  GLint UnpackAlignment;
+  GLint PackBuffer;
+  GLint UnpackBuffer;
+};
+}
+
+#endif

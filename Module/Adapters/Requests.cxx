@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/Requests.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace exabricks
+{
+namespace
+{
+// Copying a property makes a function of gradients that is 1 everywhere, for which nobody asked.
+bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
+{
+  double node[4]; // value, opacity, midpoint, sharpness
+  for (int i = 0; i < gradientOpacity->GetSize(); ++i)
+  {
+    gradientOpacity->GetNodeValue(i, node);
+    if (node[1] != 1.0)
+    {
+      return true;
+    }
+  }
+  return gradientOpacity->GetSize() == 0 || !gradientOpacity->GetClamping();
+}
+}
+
+Requests checkRequests(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
+    "average intensity", "additive", "iso-surface", "slice" };
+  Requests requests;
+  const int mode = mapper->GetBlendMode();
+  if (mode != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
+    requests.refused = std::string("expected blend mode composite, found ") +
+      (known ? blendModes[mode] : std::to_string(mode).c_str()) +
+      ", which is not supported yet. Call SetBlendModeToComposite()";
+    return requests;
+  }
+  const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
+  if (property->GetShade(0))
+  {
+    without("Shading is not supported yet: the volume is drawn unshaded.");
+  }
+  if (!property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0) &&
+    changesOpacity(property->GetGradientOpacity(0)))
+  {
+    without("Gradient opacity is not supported yet: the volume is drawn without it.");
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    without(
+      "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
+  }
+  if (mapper->GetCropping())
+  {
+    without("Cropping is not supported yet: the volume is drawn whole.");
+  }
+  if (mapper->GetNumberOfClippingPlanes() > 0)
+  {
+    without("Clipping planes are not supported yet: the volume is drawn whole.");
+  }
+  if (property->GetColorChannels(0) == 3 && property->GetRGBTransferFunction(0)->GetIndexedLookup())
+  {
+    without("Colors of categories (IndexedLookup) are not supported yet: the volume is drawn with "
+            "the colors between the nodes of the color function.");
+  }
+  return requests;
+}
+
+Requests checkComponents(vtkVolumeProperty* property, int components, bool chosen)
+{
+  Requests requests;
+  if (components == 1)
+  {
+    return requests;
+  }
+  if (!property->GetIndependentComponents())
+  {
+    requests.refused = "expected independent components, found " + std::to_string(components) +
+      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
+      "of the volume property, and choose a component or the magnitude";
+    return requests;
+  }
+  if (!chosen)
+  {
+    requests.drawnWithout.push_back(
+      "Several independent components are not supported yet: of the " + std::to_string(components) +
+      " of the array the magnitude is drawn, with the functions of component 0. Call "
+      "SetVectorModeToMagnitude() if that is meant, or SetVectorModeToComponent() and "
+      "SetVectorComponent().");
+  }
+  for (int component = 0; component < std::min(components, VTK_MAX_VRCOMP); ++component)
+  {
+    if (property->GetComponentWeight(component) != 1.0)
+    {
+      requests.drawnWithout.push_back("Weights of components are not supported yet: the volume is "
+                                      "drawn without them.");
+      break;
+    }
+  }
+  return requests;
+}
+}
