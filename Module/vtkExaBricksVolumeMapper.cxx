@@ -2,10 +2,9 @@
 #include "vtkExaBricksVolumeMapper.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Adapters/Compositor.h"
 #include "Adapters/DataContents.h"
-#include "Adapters/DepthPeel.h"
 #include "Adapters/DrawnRenderers.h"
-#include "Adapters/OpenGLPicture.h"
 #include "Adapters/Requests.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Adapters/ViewInput.h"
@@ -19,8 +18,8 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -50,11 +49,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 {
   vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
   exabricks::VolumeRenderer Renderer;
-  exabricks::OpenGLPicture Picture;
-  exabricks::DepthPeel Peel;
-  exabricks::Pixels Pixels;
-  exabricks::Pixels FrontPixels; // of a peel
-  std::vector<float> Depth;
+  exabricks::Compositor Compositor;
   exabricks::DrawnRenderers Drawn;
 
   // Of the COMPLETED reconstruction: made of the builder's output when it is asked for.
@@ -116,9 +111,6 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   // Renders the picture and puts it into the window; returns why it cannot.
   std::string Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
     const vtkExaBricksData::Contents& contents);
-  // The same for the pieces of rays that a depth peel asks for.
-  std::string DrawPeel(vtkOpenGLRenderWindow* window, const exabricks::Viewport& viewport,
-    exabricks::View view, const std::string& refused);
 };
 
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
@@ -451,87 +443,17 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckRequests(
 std::string vtkExaBricksVolumeMapper::vtkInternals::Draw(vtkExaBricksVolumeMapper* self,
   vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
-  if (!window)
+  const auto makeView = [&](int width, int height)
   {
-    return "expected a window that draws with OpenGL (vtkOpenGLRenderWindow), found a " +
-      std::string(ren->GetRenderWindow()->GetClassName());
-  }
-  const exabricks::Viewport viewport = exabricks::findViewport();
-  if (viewport.width <= 0 || viewport.height <= 0)
-  {
-    return {};
-  }
-  exabricks::View view = exabricks::makeView(ren, vol, contents, viewport.width, viewport.height);
-  view.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
-  view.stepScale = self->StepScale;
-  view.errorTolerance = self->ErrorTolerance;
-  view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
-  view.terminationOpacity = self->EarlyTerminationOpacity;
-
-  const std::string refused = "expected OpenGL to take a picture of " +
-    std::to_string(viewport.width) + " x " + std::to_string(viewport.height) +
-    " pixels as a float texture, it refused";
-  if (this->Peel.begin(self, vol))
-  {
-    return this->DrawPeel(window, viewport, view, refused);
-  }
-  const exabricks::OpaqueDepth opaque = exabricks::readDepth(window, viewport, this->Depth);
-  if (opaque == exabricks::OpaqueDepth::Refused)
-  {
-    return "expected OpenGL to copy the depth of a multisampled framebuffer, it refused. Call "
-           "SetMultiSamples(0) of the window";
-  }
-  view.depth = opaque == exabricks::OpaqueDepth::Read ? this->Depth.data() : nullptr;
-  const std::string fault = this->Renderer.render(view, this->Pixels);
-  return !fault.empty()                                  ? fault
-    : this->Picture.draw(window, viewport, this->Pixels) ? std::string()
-                                                         : refused;
-}
-
-std::string vtkExaBricksVolumeMapper::vtkInternals::DrawPeel(vtkOpenGLRenderWindow* window,
-  const exabricks::Viewport& viewport, exabricks::View view, const std::string& refused)
-{
-  exabricks::RayPieces back;
-  exabricks::RayPieces front;
-  if (!this->Peel.readPieces(window, viewport, back, front))
-  {
-    return "expected OpenGL to run the shader of VTK's depth peeling, it refused. Call "
-           "SetUseDepthPeelingForVolumes(false) of the renderer";
-  }
-  if (!back.any && !front.any)
-  {
-    return {};
-  }
-  if (!view.whole)
-  {
-    view.whole =
-      exabricks::View::Whole{ view.ndcToHalfCells, view.ndcToData, view.width, view.height };
-  }
-  const auto render = [&](const exabricks::RayPieces& pieces, exabricks::Pixels& pixels)
-  {
-    view.nearDepth = pieces.begin.data();
-    view.depth = pieces.end.data();
-    return this->Renderer.render(view, pixels);
+    exabricks::View view = exabricks::makeView(ren, vol, contents, width, height);
+    view.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
+    view.stepScale = self->StepScale;
+    view.errorTolerance = self->ErrorTolerance;
+    view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+    view.terminationOpacity = self->EarlyTerminationOpacity;
+    return view;
   };
-  std::string fault;
-  if (back.any)
-  {
-    fault = render(back, this->Pixels);
-  }
-  else
-  {
-    this->Pixels.assign(back.begin.size(), glm::vec4(0.0f));
-  }
-  this->FrontPixels.clear();
-  if (front.any && fault.empty())
-  {
-    fault = render(front, this->FrontPixels);
-  }
-  return !fault.empty() ? fault
-    : this->Picture.draw(window, viewport, this->Peel, this->Pixels, this->FrontPixels)
-    ? std::string()
-    : refused;
+  return this->Compositor.draw(self, ren, vol, makeView, this->Renderer);
 }
 
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
@@ -584,8 +506,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 
 void vtkExaBricksVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Picture.release(window);
-  this->Internals->Peel.release(window);
+  this->Internals->Compositor.release(window);
   this->Internals->Renderer.release();
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -89,15 +89,7 @@ Colors colorsOf(vtkColorTransferFunction* function)
   return [=](double value)
   {
     std::array<double, 3> rgb;
-    if (function->GetIndexedLookup())
-    {
-      // Of categories, a subclass of VTK's knows the colors of the listed values alone.
-      function->vtkColorTransferFunction::GetColor(value, rgb.data());
-    }
-    else
-    {
-      function->GetColor(value, rgb.data());
-    }
+    function->GetColor(value, rgb.data());
     return rgb;
   };
 }
@@ -106,9 +98,7 @@ Colors colorsOf(vtkColorTransferFunction* function)
 vtkDiscretizableColorTransferFunction* asDiscretized(vtkColorTransferFunction* function)
 {
   auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
-  return discretizable && discretizable->GetDiscretize() && !discretizable->GetIndexedLookup()
-    ? discretizable
-    : nullptr;
+  return discretizable && discretizable->GetDiscretize() ? discretizable : nullptr;
 }
 
 // The values at which the steps end: VTK rounds in its own way, so they are searched for between
@@ -214,6 +204,14 @@ TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& 
       { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
   }
   vtkColorTransferFunction* colors = property->GetRGBTransferFunction(0);
+  vtkNew<vtkColorTransferFunction> ofValues;
+  if (colors->GetIndexedLookup())
+  {
+    // Of categories VTK tells the colors of the listed values alone.
+    ofValues->DeepCopy(colors);
+    ofValues->IndexedLookupOff();
+    colors = ofValues;
+  }
   if (auto* discretized = asDiscretized(colors))
   {
     addSteps(bends, discretized);

@@ -11,6 +11,7 @@
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
 #include "vtkSelection.h"
 #include "vtkTrivialProducer.h"
 
@@ -22,6 +23,24 @@ namespace
 void record(vtkObject*, unsigned long event, void* list, void*)
 {
   static_cast<std::vector<unsigned long>*>(list)->push_back(event);
+}
+
+// A window that does not draw with OpenGL.
+class OtherWindow : public vtkRenderWindow
+{
+public:
+  static OtherWindow* New();
+  vtkTypeMacro(OtherWindow, vtkRenderWindow);
+};
+vtkStandardNewMacro(OtherWindow);
+
+// Takes the mapper's array away, so that what it has just brought up to date fails.
+void spoil(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(caller);
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectScalarArray("there is none");
+  mapper->Update();
 }
 
 std::string print(vtkObject* object)
@@ -96,6 +115,63 @@ int TestMapperInterface(int, char*[])
   stage.window->SetAbortRender(1);
   mapper->Render(stage.renderer, stage.volume);
   stage.window->SetAbortRender(0);
+  checks.Expect(!mapper->GetDrawn(), "not drawn: aborted");
+
+  // Whether the volume is in the last picture, also where VTK does not call the mapper for it.
+  test::Picture(stage.window);
+  checks.Expect(mapper->GetDrawn(), "drawn");
+  stage.volume->VisibilityOff();
+  checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "invisible");
+  checks.Expect(!mapper->GetDrawn(), "not drawn: invisible");
+  stage.volume->VisibilityOn();
+  test::Picture(stage.window);
+  checks.Expect(mapper->GetDrawn(), "drawn: visible again");
+  vtkCamera* camera = stage.renderer->GetActiveCamera();
+  camera->Yaw(180.0);
+  checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "out of sight");
+  checks.Expect(!mapper->GetDrawn(), "not drawn: out of sight");
+  camera->Yaw(180.0);
+  test::Picture(stage.window);
+  checks.Expect(mapper->GetDrawn(), "drawn: in sight again");
+  stage.renderer->RemoveVolume(stage.volume);
+  test::Picture(stage.window);
+  checks.Expect(!mapper->GetDrawn(), "not drawn: removed");
+  {
+    test::Stage second(50);
+    second.renderer->RemoveVolume(second.volume);
+    second.renderer->AddVolume(stage.volume);
+    second.renderer->ResetCamera();
+    test::Picture(second.window);
+    checks.Expect(mapper->GetDrawn(), "drawn: in another window");
+  }
+  checks.Expect(!mapper->GetDrawn(), "not drawn: the other window is gone");
+  stage.renderer->AddVolume(stage.volume);
+
+  // A window that does not draw with OpenGL, and an update that fails after the start event.
+  {
+    test::Messages messages;
+    vtkNew<OtherWindow> otherWindow;
+    vtkNew<vtkRenderer> otherRenderer;
+    otherRenderer->SetRenderWindow(otherWindow);
+    mapper->Render(otherRenderer, stage.volume);
+    mapper->Render(otherRenderer, stage.volume);
+    checks.Expect(!mapper->GetDrawn(), "not drawn: no OpenGL");
+    checks.Equal(messages.Errors().size(), 1, "errors of another kind of window");
+    checks.Says(messages.TakeErrors(), { "OpenGL", "OtherWindow" }, "another kind of window");
+    otherRenderer->SetRenderWindow(nullptr);
+
+    vtkNew<vtkCallbackCommand> spoiler;
+    spoiler->SetCallback(spoil);
+    const unsigned long tag =
+      mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, spoiler);
+    checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "an update that fails meanwhile");
+    checks.Expect(!mapper->GetDrawn(), "not drawn: an update that fails meanwhile");
+    checks.Says(messages.TakeErrors(), { "there is none" }, "an update that fails meanwhile");
+    mapper->RemoveObserver(tag);
+    mapper->SelectScalarArray("value");
+    checks.Expect(test::Picture(stage.window).Coverage() > 0.1, "drawn after that");
+    checks.Expect(messages.Errors().empty(), "no errors after that: " + messages.TakeErrors());
+  }
 
   // Ranges of the setters.
   checks.Equal(mapper->GetStepScale(), 1.0, "default step scale");

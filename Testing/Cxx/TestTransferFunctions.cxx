@@ -7,6 +7,8 @@
 #include "Checks.h"
 #include "Stage.h"
 
+#include "vtkDiscretizableColorTransferFunction.h"
+
 namespace
 {
 constexpr double Width = 2.0; // of a block, along all axes
@@ -130,6 +132,60 @@ void checkColors(test::Checks& checks)
   row.Check(checks, "gray without clamping");
 }
 
+// Discretised, a function has steps of one color each: in blocks, and in a field that passes
+// through all values between two of them.
+void checkSteps(test::Checks& checks)
+{
+  std::vector<double> values = someValues;
+  for (int i = 0; i < 60; ++i)
+  {
+    values.push_back(0.1 + 1.6601 * i);
+  }
+  Row row(values);
+  test::setConstantColor(row.stage.Property(), 0.9);
+  vtkNew<vtkDiscretizableColorTransferFunction> color;
+  row.stage.Property()->SetColor(color);
+  addNodes(color);
+  for (const int steps : { 1, 3, 7, 64 })
+  {
+    color->DiscretizeOn();
+    color->SetNumberOfValues(steps);
+    row.Check(checks, std::to_string(steps) + " steps");
+    color->SetUseLogScale(true);
+    row.Check(checks, std::to_string(steps) + " steps, logarithmic");
+    color->SetUseLogScale(false);
+  }
+  color->SetColorSpaceToLab();
+  row.Check(checks, "64 steps, Lab");
+  color->UseBelowRangeColorOn();
+  color->SetBelowRangeColor(1.0, 0.0, 1.0);
+  color->UseAboveRangeColorOn();
+  color->SetAboveRangeColor(0.0, 1.0, 1.0);
+  row.Check(checks, "colors below and above the range");
+  color->DiscretizeOff();
+  row.Check(checks, "not discretised");
+
+  // From 0 at the left to 8 at the right, nearly opaque: each pixel has the color of its value.
+  test::Stage ramp(
+    test::makeAMR({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }, [](double x, double, double) { return x; }));
+  vtkNew<vtkDiscretizableColorTransferFunction> bands;
+  bands->AddRGBPoint(0.5, 0.0, 0.0, 0.0);
+  bands->AddRGBPoint(7.5, 1.0, 1.0, 1.0);
+  bands->DiscretizeOn();
+  bands->SetNumberOfValues(4);
+  test::setConstantColor(ramp.Property(), 1.0);
+  ramp.Property()->SetColor(bands);
+  test::lookAlongZ(ramp.renderer, 4.0, 4.0, 4.0, 8.0);
+  const test::Picture picture(ramp.window);
+  for (int x = 0; x < 100; ++x)
+  {
+    double expected[3];
+    bands->GetColor(std::min(std::max(0.08 * (x + 0.5), 0.5), 7.5), expected);
+    checks.Near(picture.At(x, 50)[0], expected[0], test::OneStep,
+      "steps between cells, at pixel " + std::to_string(x));
+  }
+}
+
 void checkOpacities(test::Checks& checks)
 {
   Row row(someValues);
@@ -193,6 +249,7 @@ int TestTransferFunctions(int, char*[])
   test::Checks checks;
   const test::KeepDisplay display;
   checkColors(checks);
+  checkSteps(checks);
   checkOpacities(checks);
   checkSpike(checks);
   return checks.Status();

@@ -6,6 +6,7 @@
 #include "Checks.h"
 #include "Stage.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -31,13 +32,27 @@ int TestUnsupportedRequests(int, char*[])
   for (const auto& mode : modes)
   {
     mapper->SetBlendMode(mode.first);
-    checks.Equal(
-      test::Picture(stage.window).Coverage(), 0.0, std::string(mode.second) + " draws nothing");
+    for (int i = 0; i < 3; ++i)
+    {
+      checks.Equal(
+        test::Picture(stage.window).Coverage(), 0.0, std::string(mode.second) + " draws nothing");
+      checks.Expect(!mapper->GetDrawn(), "not drawn");
+    }
     checks.Equal(messages.Errors().size(), 1, std::string("errors of ") + mode.second);
     checks.Says(messages.TakeErrors(), { mode.second, "SetBlendModeToComposite" }, mode.second);
   }
   mapper->SetBlendModeToComposite();
   checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "composite is drawn");
+
+  // A copy of a property has a function of gradients that changes nothing, and warns of nothing.
+  vtkSmartPointer<vtkVolumeProperty> property = stage.Property();
+  vtkNew<vtkVolumeProperty> copy;
+  copy->DeepCopy(property);
+  stage.volume->SetProperty(copy);
+  checks.Expect(copy->HasGradientOpacity(), "a copy has a function of gradients");
+  checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "with a copy");
+  checks.Expect(messages.Warnings().empty(), "no warnings of a copy: " + messages.TakeWarnings());
+  stage.volume->SetProperty(property);
 
   // Each said once, over several pictures, and drawn without.
   const auto warnsOnce = [&](const std::string& word, const std::function<void()>& set)
@@ -51,7 +66,6 @@ int TestUnsupportedRequests(int, char*[])
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
     checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
   };
-  vtkVolumeProperty* property = stage.Property();
   warnsOnce("Shading", [&] { property->ShadeOn(); });
   warnsOnce("Gradient opacity",
     [&]
@@ -84,6 +98,59 @@ int TestUnsupportedRequests(int, char*[])
       property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
     });
   property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  warnsOnce(
+    "Colors of categories", [&] { property->GetRGBTransferFunction()->SetIndexedLookup(true); });
+  property->GetRGBTransferFunction()->SetIndexedLookup(false);
+
+  // The interpolation type, unless the mapper's reconstruction was chosen, or it says the same.
+  property->SetInterpolationTypeToNearest();
+  checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "nearest");
+  test::Picture(stage.window);
+  checks.Equal(messages.Warnings().size(), 1, "warnings of the interpolation type");
+  checks.Says(messages.TakeWarnings(), { "interpolation type", "SetReconstructionToNearest" },
+    "warning of the interpolation type");
+  test::Stage chosen(test::makeAMR(test::cornerRefined(), test::constant(1.0)), 50);
+  test::setConstantColor(chosen.Property(), 0.5);
+  chosen.Property()->SetInterpolationTypeToNearest();
+  chosen.mapper->SetReconstructionToBasis();
+  test::Picture(chosen.window);
+  checks.Expect(messages.Warnings().empty(), "the reconstruction was chosen");
+
+  // Several components: one of them, or their magnitude, and no weights.
+  auto vectors = test::makeAMR(test::cornerRefined(), test::constant(1.0));
+  test::forEachGrid(vectors,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      vtkNew<vtkDoubleArray> pair;
+      pair->SetName("pair");
+      pair->SetNumberOfComponents(2);
+      pair->SetNumberOfTuples(grid->GetNumberOfCells());
+      pair->Fill(1.0);
+      grid->GetCellData()->AddArray(pair);
+    });
+  for (const bool choose : { false, true })
+  {
+    test::Stage several(vectors, 50);
+    test::setConstantColor(several.Property(), 0.5);
+    several.mapper->SetScalarModeToUseCellFieldData();
+    several.mapper->SelectScalarArray("pair");
+    if (choose)
+    {
+      several.mapper->SetVectorModeToMagnitude();
+    }
+    test::Picture(several.window);
+    test::Picture(several.window);
+    checks.Equal(messages.Warnings().size(), choose ? 0 : 1, "warnings of two components");
+    if (!choose)
+    {
+      checks.Says(messages.TakeWarnings(), { "2 of the array", "SetVectorModeToMagnitude" },
+        "warning of two components");
+    }
+    several.Property()->SetComponentWeight(1, 0.5);
+    test::Picture(several.window);
+    checks.Equal(messages.Warnings().size(), 1, "warnings of weights");
+    checks.Says(messages.TakeWarnings(), { "Weights" }, "warning of weights");
+  }
   checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
 
   // Devices are named in the error, to choose from.

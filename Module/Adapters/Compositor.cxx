@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/Compositor.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+namespace exabricks
+{
+namespace
+{
+std::string refuse(const Viewport& viewport)
+{
+  return "expected OpenGL to take a picture of " + std::to_string(viewport.width) + " x " +
+    std::to_string(viewport.height) + " pixels as a float texture, it refused";
+}
+}
+
+std::string Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
+  const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  if (!window)
+  {
+    return "expected a window that draws with OpenGL (vtkOpenGLRenderWindow), found a " +
+      std::string(ren->GetRenderWindow()->GetClassName());
+  }
+  const Viewport viewport = findViewport();
+  if (viewport.width <= 0 || viewport.height <= 0)
+  {
+    return {};
+  }
+  View view = makeView(viewport.width, viewport.height);
+  if (this->Peel.begin(mapper, vol))
+  {
+    return this->DrawPeel(window, viewport, view, renderer);
+  }
+  const OpaqueDepth opaque = readDepth(window, viewport, this->Depth);
+  if (opaque == OpaqueDepth::Refused)
+  {
+    return "expected OpenGL to copy the depth of a multisampled framebuffer, it refused. Call "
+           "SetMultiSamples(0) of the window";
+  }
+  view.depth = opaque == OpaqueDepth::Read ? this->Depth.data() : nullptr;
+  const std::string fault = renderer.render(view, this->Back);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
+}
+
+std::string Compositor::DrawPeel(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer)
+{
+  RayPieces back;
+  RayPieces front;
+  if (!this->Peel.readPieces(window, viewport, back, front))
+  {
+    return "expected OpenGL to run the shader of VTK's depth peeling, it refused. Call "
+           "SetUseDepthPeelingForVolumes(false) of the renderer";
+  }
+  if (!back.any && !front.any)
+  {
+    return {};
+  }
+  if (!view.whole)
+  {
+    view.whole = View::Whole{ view.ndcToHalfCells, view.ndcToData, view.width, view.height };
+  }
+  const auto render = [&](const RayPieces& pieces, Pixels& pixels)
+  {
+    view.nearDepth = pieces.begin.data();
+    view.depth = pieces.end.data();
+    return renderer.render(view, pixels);
+  };
+  std::string fault;
+  if (back.any)
+  {
+    fault = render(back, this->Back);
+  }
+  else
+  {
+    this->Back.assign(back.begin.size(), glm::vec4(0.0f));
+  }
+  this->Front.clear();
+  if (front.any && fault.empty())
+  {
+    fault = render(front, this->Front);
+  }
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  return this->Picture.draw(window, viewport, this->Peel, this->Back, this->Front)
+    ? std::string()
+    : refuse(viewport);
+}
+
+void Compositor::release(vtkWindow* window)
+{
+  this->Picture.release(window);
+  this->Peel.release(window);
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a renderer's picture to VTK's window: rays end at the depth of opaque geometry, or are drawn
+// in the pieces that VTK's depth peeling asks for, and the picture is blended into what is bound.
+#ifndef ExaBricksAdaptersCompositor_h
+#define ExaBricksAdaptersCompositor_h
+
+#include "Adapters/OpenGLPicture.h"
+#include "Vulkan/VolumeRenderer.h"
+
+#include <functional>
+
+class vtkRenderer;
+
+namespace exabricks
+{
+class Compositor
+{
+public:
+  /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
+  /// in pixels. Returns an empty string, or what went wrong.
+  std::string draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
+    const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer);
+
+  /// May be called twice, and with a window that is going away.
+  void release(vtkWindow* window);
+
+private:
+  std::string DrawPeel(
+    vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer);
+
+  OpenGLPicture Picture;
+  DepthPeel Peel;
+  Pixels Back;
+  Pixels Front; // of a peel
+  std::vector<float> Depth;
+};
+}
+
+#endif
