@@ -3,7 +3,6 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -31,20 +30,13 @@ glm::dmat4 toGLM(vtkMatrix4x4* matrix)
   return result;
 }
 
-// From world to normalised device coordinates, as VTK's geometry takes it: with the eye of a stereo
-// picture and the camera's model transform.
+// From world to normalised device coordinates, with the eye of a stereo picture and the camera's
+// model transform. VTK's geometry has a copy of it (vtkOpenGLCamera::GetKeyMatrices), which is one
+// picture late when stereo is switched on.
 glm::dmat4 findProjection(vtkRenderer* ren)
 {
   vtkCamera* camera = ren->GetActiveCamera();
-  if (auto* openGL = vtkOpenGLCamera::SafeDownCast(camera))
-  {
-    vtkMatrix4x4* worldToView = nullptr;
-    vtkMatrix3x3* normals = nullptr;
-    vtkMatrix4x4* viewToNdc = nullptr;
-    vtkMatrix4x4* worldToNdc = nullptr;
-    openGL->GetKeyMatrices(ren, worldToView, normals, viewToNdc, worldToNdc);
-    return glm::transpose(toGLM(worldToNdc)); // stored as OpenGL takes it
-  }
+  // With (-1, 1): explicit projections, as of tiled displays, ignore near and far arguments.
   const glm::dmat4 projection =
     toGLM(camera->GetProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1.0, 1.0));
   return projection * toGLM(camera->GetModelViewTransformMatrix());
@@ -54,7 +46,6 @@ glm::dmat4 findProjection(vtkRenderer* ren)
 glm::dmat4 findCentralProjection(vtkRenderer* ren)
 {
   vtkCamera* camera = ren->GetActiveCamera();
-  // With (-1, 1): explicit projections, as of tiled displays, ignore near and far arguments.
   const glm::dmat4 composite =
     toGLM(camera->GetCompositeProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1.0, 1.0));
   return composite * toGLM(camera->GetModelTransformMatrix());

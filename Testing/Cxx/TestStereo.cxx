@@ -151,7 +151,7 @@ int TestStereo(int, char*[])
   for (const auto& [kind, name] : kinds)
   {
     stage.window->SetStereoType(kind);
-    stage.renderer->GetActiveCamera()->Modified(); // or VTK's geometry keeps its last eye
+    stage.renderer->GetActiveCamera()->Modified(); // or VTK's geometry has the last eye once more
     const test::Picture picture = compare(name);
     checks.Expect(picture.Difference(both) > 0.5, std::string("the eyes are apart, ") + name);
   }
