@@ -2,6 +2,7 @@
 
 #include "Output.h"
 
+#include "Destination.h"
 #include "Messages.h"
 
 #include "vtkImageData.h"
@@ -10,6 +11,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +21,8 @@
 #include <process.h>
 #define getpid _getpid
 #else
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -29,11 +34,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void Refuse(const std::string& path, const std::string& why)
-{
-  throw Failure(ExitCode::OutputUnwritable, "'" + path + "' cannot be written: " + why);
-}
-
 std::string TemporaryBeside(const std::string& path)
 {
   const fs::path target(path);
@@ -42,27 +42,106 @@ std::string TemporaryBeside(const std::string& path)
   return (target.parent_path() / name).string();
 }
 
-void WriteWhole(const std::string& path, const char* bytes, std::size_t size)
+// Gives one file the owner and the permissions of another, if there is that one. Somebody else's
+// owner stays what it is where this user may not set it.
+void TakeOwnerAndPermissions(const std::string& from, const std::string& to)
 {
-  const std::string temporary = TemporaryBeside(path);
+#ifdef _WIN32
+  (void)from;
+  (void)to;
+#else
+  struct stat status;
+  if (stat(from.c_str(), &status) == 0)
+  {
+    const bool owned = chown(to.c_str(), status.st_uid, status.st_gid) == 0;
+    (void)owned;
+    std::error_code ignored;
+    fs::permissions(to, static_cast<fs::perms>(status.st_mode & 0777), ignored);
+  }
+#endif
+}
+
+void Replace(
+  const std::string& path, const std::string& target, const char* bytes, std::size_t size)
+{
+  const std::string temporary = TemporaryBeside(target);
   std::error_code error, ignored;
   errno = 0;
   {
     std::ofstream file(temporary, std::ios::binary);
+    if (file)
+    {
+      TakeOwnerAndPermissions(target, temporary);
+      errno = 0;
+    }
     file.write(bytes, static_cast<std::streamsize>(size));
     file.close();
     if (!file)
     {
       const std::string why = errno ? std::strerror(errno) : "the disk may be full";
       fs::remove(temporary, ignored);
-      Refuse(path, why + ".");
+      RefuseOutput(path, why + ".");
     }
   }
-  fs::rename(temporary, path, error);
+  fs::rename(temporary, target, error);
   if (error)
   {
     fs::remove(temporary, ignored);
-    Refuse(path, error.message() + ".");
+    RefuseOutput(path, error.message() + ".");
+  }
+}
+
+#ifdef _WIN32
+std::FILE* OpenAsItIs(const Destination& destination)
+{
+  return std::fopen(destination.Target.c_str(), "wb");
+}
+#else
+// A descriptor is written to at the place where it stands. Nothing is made if the path has gone.
+std::FILE* OpenAsItIs(const Destination& destination)
+{
+  const int descriptor = destination.Descriptor < 0
+    ? open(destination.Target.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)
+    : dup(destination.Descriptor);
+  return descriptor < 0 ? nullptr : fdopen(descriptor, "wb");
+}
+#endif
+
+void WriteAsItIs(
+  const std::string& path, const Destination& destination, const char* bytes, std::size_t size)
+{
+#ifndef _WIN32
+  // A reader that has gone is an error like others, not the end of the program.
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+#endif
+  errno = 0;
+  std::FILE* file = OpenAsItIs(destination);
+  bool fine = file && std::fwrite(bytes, 1, size, file) == size && std::fflush(file) == 0;
+  std::string why = errno ? std::strerror(errno) : "it took less than all bytes";
+  if (file && std::fclose(file) != 0 && fine)
+  {
+    fine = false;
+    why = std::strerror(errno);
+  }
+#ifndef _WIN32
+  std::signal(SIGPIPE, before);
+#endif
+  if (!fine)
+  {
+    RefuseOutput(path, why + ".");
+  }
+}
+
+void WriteWhole(const std::string& path, const char* bytes, std::size_t size)
+{
+  const Destination destination = FindDestination(path);
+  if (destination.Replace)
+  {
+    Replace(path, destination.Target, bytes, size);
+  }
+  else
+  {
+    WriteAsItIs(path, destination, bytes, size);
   }
 }
 
@@ -70,24 +149,31 @@ void WriteWhole(const std::string& path, const char* bytes, std::size_t size)
 
 void CheckWritable(const std::string& path)
 {
+  const Destination destination = FindDestination(path);
   std::error_code error;
-  const fs::path folder = fs::absolute(path).parent_path();
+  if (!destination.Replace)
+  {
+    if (!MayBeWritten(destination))
+    {
+      RefuseOutput(
+        path, std::string(std::strerror(errno)) + ". Give the name of a file that you may write.");
+    }
+    return;
+  }
+  const fs::path folder = fs::absolute(destination.Target).parent_path();
   if (!fs::is_directory(folder, error))
   {
-    Refuse(path, "there is no folder '" + folder.string() + "'. Make it first.");
+    RefuseOutput(path, "there is no folder '" + folder.string() + "'. Make it first.");
   }
-  if (fs::is_directory(path, error))
-  {
-    Refuse(path, "it is a folder. Give the name of a file.");
-  }
-  const std::string temporary = TemporaryBeside(path);
+  const std::string temporary = TemporaryBeside(destination.Target);
   errno = 0;
   const bool opened = static_cast<bool>(std::ofstream(temporary));
   const int reason = errno;
   fs::remove(temporary, error);
   if (!opened)
   {
-    Refuse(path, std::string(std::strerror(reason)) + ". Choose a folder that you may write in.");
+    RefuseOutput(
+      path, std::string(std::strerror(reason)) + ". Choose a folder that you may write in.");
   }
 }
 

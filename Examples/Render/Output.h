@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes files whole or not at all: under another name in the same folder first, which is then
-// taken back to the right one. All throw Failure(OutputUnwritable).
+// taken back to the right one. A symbolic link stays, and the file that it leads to is replaced;
+// that file's owner and permissions are kept. What is there and is no regular file, such as a
+// device, a FIFO or /dev/stdout, is written to as it is. All throw Failure(OutputUnwritable).
 
 #ifndef Output_h
 #define Output_h
@@ -12,7 +14,7 @@ class vtkImageData;
 namespace render
 {
 
-// Before the long work: could a file be written there?
+// Before the long work: could a file be written there? Opens nothing that is no regular file.
 void CheckWritable(const std::string& path);
 
 void WriteText(const std::string& path, const std::string& text);
