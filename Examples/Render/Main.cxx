@@ -15,7 +15,9 @@
 #include "vtkRenderWindow.h"
 
 #include <chrono>
+#include <exception>
 #include <iostream>
+#include <new>
 
 namespace
 {
@@ -99,9 +101,9 @@ void DrawIntoFile(const Options& options)
 
 int main(int argc, char** argv)
 {
+  Options options;
   try
   {
-    Options options;
     if (ParseOptions(argc, argv, options))
     {
       TakeMessages(options.Quiet);
@@ -115,9 +117,18 @@ int main(int argc, char** argv)
     std::cerr << "exabricks-render: " << failure.what() << '\n';
     return static_cast<int>(failure.Code);
   }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "exabricks-render: '" << options.Input
+              << "' was read, but drawing it takes more memory than there is. Draw fewer levels "
+                 "(--levels) or a smaller picture (--size), or use a machine with more memory.\n";
+    return static_cast<int>(ExitCode::RenderingFailed);
+  }
   catch (const std::exception& error)
   {
-    std::cerr << "exabricks-render: " << error.what() << '\n';
+    std::cerr << "exabricks-render: '" << options.Input
+              << "' could not be drawn, for a reason that this program does not know ("
+              << error.what() << "). Please report it, with the command line and the data.\n";
     return static_cast<int>(ExitCode::RenderingFailed);
   }
 }

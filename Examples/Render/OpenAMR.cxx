@@ -21,6 +21,7 @@
 #include "vtkHDFReader.h"
 #endif
 
+#include <exception>
 #include <filesystem>
 
 namespace render
@@ -102,12 +103,31 @@ AMRFile::AMRFile(const std::string& path)
   : Path(path)
   , Reader(ReaderFor(path))
 {
-  this->Reader->UpdateInformation();
+  this->RunReader([this] { this->Reader->UpdateInformation(); });
   ThrowIfErrors(ExitCode::InputUnreadable, "'" + path + "' could not be read");
   this->FindArrays();
 }
 
 AMRFile::~AMRFile() = default;
+
+// VTK's readers believe what a header says of sizes, and throw where so much cannot be had.
+void AMRFile::RunReader(const std::function<void()>& work) const
+{
+  try
+  {
+    work();
+  }
+  catch (const std::exception& error)
+  {
+    const std::string message = "'" + this->Path +
+      "' could not be read: a header in it is damaged, or it takes more memory than there is (" +
+      this->ReaderName() + " ended with " + error.what() +
+      "). Check that it was copied whole; if it was, use --levels to read fewer levels, or a "
+      "machine with more memory";
+    ThrowIfErrors(ExitCode::InputUnreadable, message);
+    Refuse(message + ".");
+  }
+}
 
 const char* AMRFile::ReaderName() const { return this->Reader->GetClassName(); }
 
@@ -143,7 +163,7 @@ void AMRFile::FindArrays()
   };
   enableAll(1);
   this->SetLevels(1);
-  this->Reader->Update();
+  this->RunReader([this] { this->Reader->Update(); });
   enableAll(0);
   auto amr = this->Output("could not be read");
   ForEachBlock(amr,
@@ -191,7 +211,7 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   progress.Follow(this->Reader);
   this->SetLevels(levels);
   SelectOnly(this->Reader, this->CellArrays, array);
-  this->Reader->Update();
+  this->RunReader([this] { this->Reader->Update(); });
   auto amr = this->Output("could not be read");
   bool empty = true;
   ForEachBlock(amr, [&empty](vtkDataSet*) { empty = false; });

@@ -7,6 +7,7 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ public:
 
 private:
   vtkSmartPointer<vtkOverlappingAMR> Output(const std::string& doing) const;
+  void RunReader(const std::function<void()>& work) const;
   void SetLevels(int levels);
   void FindArrays();
 

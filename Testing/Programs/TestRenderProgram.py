@@ -26,6 +26,39 @@ def png_size(path):
     return struct.unpack(">II", head[16:24])
 
 
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(text)
+    return path
+
+
+def write_vthb(folder, cells):
+    """A .vthb with one block, whose file says that it has so many cells along each axis."""
+    write(folder, "block.vti", """<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+        <ImageData WholeExtent="0 {0} 0 {0} 0 {0}" Origin="0 0 0" Spacing="1 1 1">
+        <Piece Extent="0 {0} 0 {0} 0 {0}"><CellData>
+        <DataArray type="Float32" Name="density" format="ascii">1 2 3</DataArray>
+        </CellData></Piece></ImageData></VTKFile>""".format(cells))
+    return write(folder, "data.vthb", """<VTKFile type="vtkOverlappingAMR" version="1.1" byte_order="LittleEndian">
+        <vtkOverlappingAMR origin="0 0 0" grid_description="XYZ"><Block level="0" spacing="1 1 1">
+        <DataSet index="0" amr_box="0 {0} 0 {0} 0 {0}" file="block.vti"/>
+        </Block></vtkOverlappingAMR></VTKFile>""".format(cells - 1))
+
+
+def write_plotfile(folder, blocks):
+    """The header of an AMReX plotfile of one level of 4^3 cells, which says so many blocks."""
+    write(folder, "Header", """HyperCLaw-V1.1
+        1 density 3 0 0
+        0 0 0 1 1 1
+        ((0,0,0) (3,3,3) (0,0,0))
+        0 0.25 0.25 0.25 0 0
+        0 {0} 0 0 0 1 0 1 0 1
+        Level_0/Cell""".format(blocks))
+    return folder
+
+
 class RenderProgramTest(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -142,6 +175,19 @@ class RenderProgramTest(unittest.TestCase):
             os.remove(os.path.join(copy, "rt_medium", "rt_medium_7.vti"))
             path = os.path.join(copy, os.path.basename(DATA))
             self.refused(INPUT_UNREADABLE, ["rt_medium_7.vti"], path, self.png)
+
+    def test_header_that_says_more_than_fits_into_memory(self):
+        # The sanitizers would end the program where memory runs out.
+        env = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":allocator_may_return_null=1")
+        for name, make in (
+            ("2^60 cells", lambda folder: write_vthb(folder, 2**20)),
+            ("-1 blocks", lambda folder: write_plotfile(folder, -1)),
+        ):
+            for option in ([], ["--list-arrays"]):
+                with self.subTest(name, option=option), tempfile.TemporaryDirectory() as folder:
+                    path = make(folder)
+                    self.refused(INPUT_UNREADABLE, [path, "memory", "header", "copied whole", "--levels"],
+                        path, self.png, *option, env=env)
 
     # Output
 
