@@ -2,7 +2,9 @@
 // Opens a .vthb file and shows one of its arrays as a volume, in a window to turn with the mouse.
 //   Minimal Testing/Data/rt_medium/rt_medium.vthb magvort
 
+#include "vtkCallbackCommand.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkExaBricksVolumeMapper.h"
@@ -15,7 +17,18 @@
 #include "vtkVolumeProperty.h"
 #include "vtkXMLUniformGridAMRReader.h"
 
+#include <cstdlib>
+#include <exception>
 #include <iostream>
+
+// VTK before 9.4 aborts the program after an error of its window; this ends it before, with words.
+void EndWithoutDisplay(vtkObject*, unsigned long, void*, void* message)
+{
+  std::cerr
+    << static_cast<const char*>(message)
+    << "Minimal needs a display to draw in. Without one, run it as xvfb-run -a Minimal ...\n";
+  std::_Exit(1);
+}
 
 int main(int argc, char** argv)
 {
@@ -32,7 +45,15 @@ int main(int argc, char** argv)
   mapper->SetInputConnection(reader->GetOutputPort());
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectScalarArray(argv[2]);
-  mapper->Update();
+  try
+  {
+    mapper->Update();
+  }
+  catch (const std::exception& error) // of VTK's reader
+  {
+    std::cerr << argv[1] << " is damaged, or takes too much memory (" << error.what() << ")\n";
+    return 1;
+  }
   if (mapper->GetBuilder()->GetOutput()->GetNumberOfLeafCells() == 0)
   {
     return 1; // VTK has said why
@@ -58,11 +79,14 @@ int main(int argc, char** argv)
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
   vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetCallback(EndWithoutDisplay);
+  window->AddObserver(vtkCommand::ErrorEvent, onError);
   window->SetSize(800, 600);
   window->AddRenderer(renderer);
+  window->Render(); // before there is an interactor, which would not ask for the display
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
-  window->Render();
   interactor->Start();
   return 0;
 }

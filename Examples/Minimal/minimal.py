@@ -51,9 +51,19 @@ volume.GetProperty().SetColor(colors)
 volume.GetProperty().SetScalarOpacity(opacity)
 volume.GetProperty().SetScalarOpacityUnitDistance(spacing[0])
 
+
+
+def end_without_display(window, event, message):
+    """VTK before 9.4 aborts the program after an error of its window; this ends it before, with words."""
+    sys.exit(message + "minimal.py needs a display to draw in. Without one, run it as xvfb-run -a python3 minimal.py ...")
+
+
+end_without_display.CallDataType = "string0"
+
 renderer = vtkRenderer()
 renderer.AddVolume(volume)
 window = vtkRenderWindow()
+window.AddObserver("ErrorEvent", end_without_display)
 window.SetOffScreenRendering(1)
 window.SetSize(400, 400)
 window.AddRenderer(renderer)

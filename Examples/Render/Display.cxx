@@ -2,8 +2,11 @@
 
 #include "Display.h"
 
-#include "Failure.h"
+#include "Messages.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
 #include <cstdlib>
@@ -32,6 +35,14 @@ bool XServerAnswers()
 #endif
 }
 
+// Before 9.4 VTK aborts the program after an error of the window, such as an X server without GLX.
+void ThrowError(vtkObject*, unsigned long, void*, void* message)
+{
+  throw Failure(ExitCode::RenderingFailed,
+    "VTK cannot draw with this X server: " + TextOf(static_cast<const char*>(message)) +
+      ". Use one that has GLX, or xvfb-run, as in xvfb-run -a exabricks-render ...");
+}
+
 }
 
 vtkSmartPointer<vtkRenderWindow> MakeWindow()
@@ -46,6 +57,9 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow()
         (name && *name ? "'" + std::string(name) + "'" : std::string("not set")) +
         "): run it under xvfb-run, as in xvfb-run -a exabricks-render ...");
   }
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetCallback(ThrowError);
+  window->AddObserver(vtkCommand::ErrorEvent, onError);
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   return window;

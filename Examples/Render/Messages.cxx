@@ -34,26 +34,6 @@ bool ErrorStreamIsTerminal()
 #endif
 }
 
-// "ERROR: In file.cxx, line 7\nvtkClass (0x1234): text\n\n" -> "text"
-std::string TextOf(const char* message)
-{
-  std::string text = message ? message : "";
-  const std::size_t place = text.find(", line ");
-  const std::size_t line = place == std::string::npos ? place : text.find('\n', place);
-  if (line != std::string::npos)
-  {
-    text.erase(0, line + 1);
-    const std::size_t object = text.find("): ");
-    if (text.compare(0, 3, "vtk") == 0 && object != std::string::npos)
-    {
-      text.erase(0, object + 3);
-    }
-  }
-  const std::size_t end = text.find_last_not_of(" \n\r\t");
-  text.erase(end == std::string::npos ? 0 : end + 1);
-  return text;
-}
-
 class MessageWindow : public vtkOutputWindow
 {
 public:
@@ -93,6 +73,25 @@ vtkStandardNewMacro(MessageWindow);
 
 MessageWindow* Messages() { return MessageWindow::SafeDownCast(vtkOutputWindow::GetInstance()); }
 
+}
+
+std::string TextOf(const char* message)
+{
+  std::string text = message ? message : "";
+  const std::size_t place = text.find(", line ");
+  const std::size_t line = place == std::string::npos ? place : text.find('\n', place);
+  if (line != std::string::npos)
+  {
+    text.erase(0, line + 1);
+    const std::size_t object = text.find("): ");
+    if (text.compare(0, 3, "vtk") == 0 && object != std::string::npos)
+    {
+      text.erase(0, object + 3);
+    }
+  }
+  const std::size_t end = text.find_last_not_of(" \n\r\t");
+  text.erase(end == std::string::npos ? 0 : end + 1);
+  return text;
 }
 
 void TakeMessages(bool quiet)

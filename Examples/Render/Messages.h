@@ -14,6 +14,9 @@ class vtkAlgorithm;
 namespace render
 {
 
+// "ERROR: In file.cxx, line 7\nvtkClass (0x1234): text\n\n" -> "text"
+std::string TextOf(const char* message);
+
 // Takes VTK's messages from here on.
 void TakeMessages(bool quiet);
 

@@ -211,6 +211,27 @@ class RenderProgramTest(unittest.TestCase):
             self.assertIn("xvfb-run", done.stderr)
             self.assertEqual(os.listdir(self.folder.name), [])
 
+    @unittest.skipUnless(shutil.which("Xvfb"), "asks for an X server without GLX")
+    def test_display_without_glx(self):
+        number, number_end = os.pipe()
+        server = subprocess.Popen(
+            ["Xvfb", "-extension", "GLX", "-displayfd", str(number_end)],
+            pass_fds=[number_end], stderr=subprocess.DEVNULL
+        )
+        try:
+            os.close(number_end)
+            with open(number, encoding="ascii") as file:
+                display = ":" + file.readline().strip()
+            done = self.run_program(DATA, self.png, "--levels", "1", env=dict(os.environ, DISPLAY=display))
+        finally:
+            server.terminate()
+            server.wait()
+        self.assertIn(done.returncode, (FINE, RENDERING_FAILED), done.stderr)
+        if done.returncode == RENDERING_FAILED:
+            self.assertIn("GLX", done.stderr)
+            self.assertIn("xvfb-run", done.stderr)
+            self.assertEqual(os.listdir(self.folder.name), [])
+
     def test_unknown_device(self):
         self.refused(RENDERING_FAILED, ["no such device"],
             DATA, self.png, "--device", "no such device")
