@@ -85,6 +85,11 @@ int main(int argc, char** argv)
   window->SetSize(800, 600);
   window->AddRenderer(renderer);
   window->Render(); // before there is an interactor, which would not ask for the display
+  if (!window->GetShowWindow())
+  {
+    std::cerr << "Drawn, but there is no display to show it on.\n"; // from VTK 9.4 on
+    return 0;
+  }
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->Start();
