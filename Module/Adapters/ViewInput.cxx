@@ -42,13 +42,11 @@ glm::dmat4 findProjection(vtkRenderer* ren)
   return projection * toGLM(camera->GetModelViewTransformMatrix());
 }
 
-// The same from between the eyes. VTK leaves the model transform out of its composite matrix.
+// The same from between the eyes: VTK means it for picking.
 glm::dmat4 findCentralProjection(vtkRenderer* ren)
 {
-  vtkCamera* camera = ren->GetActiveCamera();
-  const glm::dmat4 composite =
-    toGLM(camera->GetCompositeProjectionTransformMatrix(ren->GetTiledAspectRatio(), -1.0, 1.0));
-  return composite * toGLM(camera->GetModelTransformMatrix());
+  return toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    ren->GetTiledAspectRatio(), -1.0, 1.0));
 }
 
 // Where the window is tiled, the camera is that of one tile: the middle and the half size of the

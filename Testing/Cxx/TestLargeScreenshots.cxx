@@ -8,6 +8,7 @@
 
 #include "vtkExaBricksSceneSource.h"
 #include "vtkImageData.h"
+#include "vtkTransform.h"
 #include "vtkWindowToImageFilter.h"
 
 namespace
@@ -56,12 +57,15 @@ int TestLargeScreenshots(int, char*[])
   // The same scene in a small window and in a large one.
   test::Stage small(Small);
   test::Stage large(Small * Scale);
+  vtkNew<vtkTransform> turned;
+  turned->RotateWXYZ(50.0, 0.2, 1.0, 0.3);
   for (test::Stage* stage : { &small, &large })
   {
     stage->mapper->SetInputConnection(source->GetOutputPort());
     stage->mapper->SelectScalarArray("value");
     source->InitializeProperty(stage->Property());
     source->InitializeCamera(stage->renderer->GetActiveCamera());
+    stage->renderer->GetActiveCamera()->SetModelTransformMatrix(turned->GetMatrix());
     stage->renderer->ResetCameraClippingRange();
   }
   for (const double tolerance : { 0.0, 0.03 })
@@ -71,14 +75,16 @@ int TestLargeScreenshots(int, char*[])
       for (test::Stage* stage : { &small, &large })
       {
         stage->mapper->SetErrorTolerance(tolerance);
-        stage->window->SetStereoTypeToAnaglyph();
+        stage->window->SetStereoTypeToRight();
         stage->window->SetStereoRender(stereo);
       }
       const std::string what =
         "tolerance " + std::to_string(tolerance) + (stereo ? ", stereo" : "");
       const test::Picture whole(large.window);
       checks.Expect(whole.Coverage() > 0.1, "something is drawn, " + what);
-      checks.Near(differenceOfTiles(small.window, whole), 0.0, test::OneStep, "tiles, " + what);
+      // VTK keeps the view angle of tiles in single precision: a ray may get an interval more.
+      checks.Near(differenceOfTiles(small.window, whole), 0.0,
+        (tolerance > 0.0 ? 2.5 : 1.0) * test::OneStep, "tiles, " + what);
       checks.Equal(small.mapper->GetLevelsLeftOut(), large.mapper->GetLevelsLeftOut(),
         "levels left out, " + what);
 

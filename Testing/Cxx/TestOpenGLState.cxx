@@ -158,7 +158,7 @@ int TestOpenGLState(int, char*[])
     glViewport(0, 0, Size, Size);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer);
     glEnable(GL_BLEND);
-    glBlendEquationSeparate(GL_MAX, GL_MIN);
+    glBlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_MIN);
     glBlendFuncSeparate(GL_ZERO, GL_ONE, GL_DST_COLOR, GL_SRC_ALPHA);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_NEVER);
