@@ -74,6 +74,7 @@ int main(int argc, char** argv)
   volume->SetMapper(mapper);
   volume->GetProperty()->SetColor(colors);
   volume->GetProperty()->SetScalarOpacity(opacity);
+  volume->GetProperty()->SetInterpolationTypeToLinear(); // continuous, as the mapper draws it
   volume->GetProperty()->SetScalarOpacityUnitDistance(spacing[0]);
 
   vtkNew<vtkRenderer> renderer;

@@ -49,6 +49,7 @@ volume = vtkVolume()
 volume.SetMapper(mapper)
 volume.GetProperty().SetColor(colors)
 volume.GetProperty().SetScalarOpacity(opacity)
+volume.GetProperty().SetInterpolationTypeToLinear()  # continuous, as the mapper draws it
 volume.GetProperty().SetScalarOpacityUnitDistance(spacing[0])
 
 
