@@ -9,6 +9,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
@@ -117,7 +118,8 @@ vtkOpenGLQuadHelper* DepthPeel::MakeShader(vtkOpenGLRenderWindow* window)
 bool DepthPeel::readPieces(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, RayPieces& back, RayPieces& front)
 {
-  const OpenGLStateKeeper keeper(window->GetState());
+  vtkOpenGLState* state = window->GetState();
+  const OpenGLStateKeeper keeper(state);
   if (window != this->Window)
   {
     this->release(window);
@@ -141,14 +143,14 @@ bool DepthPeel::readPieces(
 
   GLuint framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const std::array<GLenum, 2> buffers{ GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
   for (int i = 0; i < 2; ++i)
   {
     glFramebufferTexture2D(
       GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, this->Targets[i]->GetHandle(), 0);
   }
-  glDrawBuffers(2, buffers.data());
+  glDrawBuffers(2, buffers.data()); // VTK would take those of another framebuffer for these
   const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (complete)
   {

@@ -51,14 +51,6 @@ void main()
 }
 )";
 
-// "Over", of premultiplied colours.
-void setBlending()
-{
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-}
-
 void prepare(
   std::unique_ptr<vtkOpenGLQuadHelper>& helper, vtkOpenGLRenderWindow* window, const char* shader)
 {
@@ -104,7 +96,7 @@ bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport
   {
     return false;
   }
-  setBlending();
+  keeper.blendOver();
   prepare(this->Over, window, OverShader);
   this->Back->Activate();
   this->Over->Program->SetUniformi("back", this->Back->GetTextureUnit());
@@ -123,7 +115,7 @@ bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport
   {
     return false;
   }
-  setBlending();
+  keeper.blendOver();
   prepare(this->Peel, window, PeelShader);
   vtkShaderProgram* program = this->Peel->Program;
   peel.setParameters(program);

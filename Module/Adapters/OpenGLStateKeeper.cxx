@@ -31,15 +31,16 @@ OpenGLStateKeeper::OpenGLStateKeeper(vtkOpenGLState* state)
   glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PackBuffer);
   glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->UnpackBuffer);
 
+  state->PushFramebufferBindings();
   for (const GLenum which : Switches)
   {
-    glDisable(which);
+    this->Switch(which, false);
   }
   for (const GLenum which : Storage)
   {
     glPixelStorei(which, 0);
   }
-  glDepthMask(GL_FALSE);
+  this->SetDepthMask(GL_FALSE);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -48,25 +49,55 @@ OpenGLStateKeeper::OpenGLStateKeeper(vtkOpenGLState* state)
 
 OpenGLStateKeeper::~OpenGLStateKeeper()
 {
+  this->State->PopFramebufferBindings();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DrawFramebuffer);
   for (std::size_t i = 0; i < Switches.size(); ++i)
   {
-    this->On[i] ? glEnable(Switches[i]) : glDisable(Switches[i]);
+    this->Switch(Switches[i], this->On[i]);
   }
   for (std::size_t i = 0; i < Storage.size(); ++i)
   {
     glPixelStorei(Storage[i], this->Stored[i]);
   }
-  glDepthMask(this->DepthMask);
-  glBlendEquationSeparate(this->BlendEquationColor, this->BlendEquationAlpha);
-  glBlendFuncSeparate(
-    this->BlendSourceColor, this->BlendTargetColor, this->BlendSourceAlpha, this->BlendTargetAlpha);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DrawFramebuffer);
+  this->SetDepthMask(this->DepthMask);
+  this->SetBlending(this->BlendEquationColor, this->BlendEquationAlpha, this->BlendSourceColor,
+    this->BlendTargetColor, this->BlendSourceAlpha, this->BlendTargetAlpha);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PackBuffer);
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, this->UnpackBuffer);
-  // VTK's textures change these through its record, which has to know what they are now.
+  // VTK's textures change these, through its record.
   this->State->vtkglPixelStorei(GL_PACK_ALIGNMENT, this->PackAlignment);
   this->State->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, this->UnpackAlignment);
   this->State->vtkglActiveTexture(this->ActiveTexture);
+}
+
+void OpenGLStateKeeper::blendOver() const
+{
+  this->Switch(GL_BLEND, true);
+  this->SetBlending(
+    GL_FUNC_ADD, GL_FUNC_ADD, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+// VTK makes no call where its record says that nothing changes: the calls to OpenGL are for where
+// the record is wrong.
+void OpenGLStateKeeper::Switch(GLenum which, bool on) const
+{
+  this->State->SetEnumState(which, on);
+  on ? glEnable(which) : glDisable(which);
+}
+
+void OpenGLStateKeeper::SetDepthMask(GLboolean mask) const
+{
+  this->State->vtkglDepthMask(mask);
+  glDepthMask(mask);
+}
+
+void OpenGLStateKeeper::SetBlending(GLenum equationColor, GLenum equationAlpha, GLenum sourceColor,
+  GLenum targetColor, GLenum sourceAlpha, GLenum targetAlpha) const
+{
+  this->State->vtkglBlendEquationSeparate(equationColor, equationAlpha);
+  this->State->vtkglBlendFuncSeparate(sourceColor, targetColor, sourceAlpha, targetAlpha);
+  glBlendEquationSeparate(equationColor, equationAlpha);
+  glBlendFuncSeparate(sourceColor, targetColor, sourceAlpha, targetAlpha);
 }
 }

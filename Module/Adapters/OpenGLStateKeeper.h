@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaves the state of OpenGL that drawing and reading change as it was found, and sets it to what
 // both begin with: nothing is tested, culled or blended, and pixels are rows of memory. It asks
-// OpenGL itself, and not VTK's record of the state, which does not know of calls around VTK.
+// OpenGL itself, and not VTK's record of the state, which does not know of calls around VTK; what
+// it sets, it tells both.
 #ifndef ExaBricksAdaptersOpenGLStateKeeper_h
 #define ExaBricksAdaptersOpenGLStateKeeper_h
 
@@ -21,7 +22,15 @@ public:
   OpenGLStateKeeper(const OpenGLStateKeeper&) = delete;
   void operator=(const OpenGLStateKeeper&) = delete;
 
+  /// Sets blending to "over", of premultiplied colours.
+  void blendOver() const;
+
 private:
+  void Switch(GLenum which, bool on) const;
+  void SetDepthMask(GLboolean mask) const;
+  void SetBlending(GLenum equationColor, GLenum equationAlpha, GLenum sourceColor,
+    GLenum targetColor, GLenum sourceAlpha, GLenum targetAlpha) const;
+
   static constexpr std::array<GLenum, 5> Switches{ GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE,
     GL_SCISSOR_TEST, GL_STENCIL_TEST };
   static constexpr std::array<GLenum, 6> Storage{ GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
