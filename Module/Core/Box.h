@@ -3,10 +3,13 @@
 #ifndef ExaBricksCoreBox_h
 #define ExaBricksCoreBox_h
 
+#include "Core/LatticeVolume.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/ext/vector_int3_sized.hpp>
+#include <glm/ext/vector_uint3_sized.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -14,9 +17,6 @@
 namespace exabricks
 {
 using Int3 = glm::i64vec3;
-
-// Volumes of boxes with 64-bit corners need more than 64 bits.
-__extension__ typedef unsigned __int128 LatticeVolume;
 
 struct Box
 {
@@ -28,11 +28,11 @@ struct Box
   {
     return this->lo.x >= this->hi.x || this->lo.y >= this->hi.y || this->lo.z >= this->hi.z;
   }
+  /// Of sides no longer than 2^31.
   LatticeVolume volume() const
   {
-    const Int3 s = this->size();
-    return this->empty() ? LatticeVolume(0)
-                         : LatticeVolume(s.x) * LatticeVolume(s.y) * LatticeVolume(s.z);
+    const glm::u64vec3 s(this->size());
+    return this->empty() ? LatticeVolume() : LatticeVolume(s.x, s.y, s.z);
   }
   bool contains(const Box& other) const
   {

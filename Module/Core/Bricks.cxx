@@ -50,7 +50,7 @@ private:
     {
       return;
     }
-    LatticeVolume volume = 0;
+    LatticeVolume volume;
     const int level = this->Leaves.boxes[leaves.front()].level;
     bool oneLevel = true;
     for (const int leaf : leaves)

@@ -21,14 +21,9 @@ struct HalfBox
 
 LatticeVolume commonVolume(const HalfBox& a, const HalfBox& b)
 {
-  LatticeVolume volume = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t length = std::int64_t(std::min(a.hi[axis], b.hi[axis])) -
-      std::int64_t(std::max(a.lo[axis], b.lo[axis]));
-    volume *= static_cast<LatticeVolume>(std::max<std::int64_t>(length, 0));
-  }
-  return volume;
+  const Int3 size = Int3(glm::min(a.hi, b.hi)) - Int3(glm::max(a.lo, b.lo));
+  const glm::u64vec3 length(glm::max(size, Int3(0)));
+  return { length.x, length.y, length.z };
 }
 
 class Builder
@@ -88,12 +83,12 @@ private:
 
   Cover FindCover(const HalfBox& box, std::size_t begin) const
   {
-    LatticeVolume volume = 0;
+    LatticeVolume volume;
     for (std::size_t i = begin; i < this->Lists.size(); ++i)
     {
       volume += commonVolume(box, this->Bricks[this->Lists[i]]);
     }
-    return volume == 0                   ? Cover::None
+    return volume.empty()                ? Cover::None
       : volume == commonVolume(box, box) ? Cover::Full
                                          : Cover::Partial;
   }

@@ -97,12 +97,12 @@ TEST_P(StandIns, CoverWholeCoarserCellsOnce)
 {
   const StandIn made = makeStandIn(GetParam(), 100000);
   const Hierarchy& hierarchy = made.hierarchy;
-  std::vector<LatticeVolume> inLevel(hierarchy.levels(), 0);
+  std::vector<LatticeVolume> inLevel(hierarchy.levels());
   for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
   {
     const Block& block = hierarchy.blocks[b];
     inLevel[block.level] += hierarchy.logicalBox(block).volume();
-    LatticeVolume below = 0;
+    LatticeVolume below;
     for (std::size_t other = 0; other < hierarchy.blocks.size(); ++other)
     {
       const Block& candidate = hierarchy.blocks[other];

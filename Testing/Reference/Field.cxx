@@ -181,7 +181,7 @@ void Field::BuildLevels(const Hierarchy& hierarchy)
     {
       level.bucketCells *= 2;
       level.buckets = (level.bounds.size() + (level.bucketCells - 1)) / level.bucketCells;
-    } while (Box{ Int3(0), level.buckets }.volume() > limit);
+    } while (LatticeVolume(limit) < Box{ Int3(0), level.buckets }.volume());
 
     // Twice over the leaf boxes: to count, then to fill.
     const Box grid{ Int3(0), level.buckets };
