@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ActiveRegions.h"
 
+#include "Core/KdLink.h"
+
 #include <cstring>
 
 namespace exabricks
@@ -48,7 +50,7 @@ private:
     }
     nodes[place] = first;
     nodes[place + 1] = second;
-    return { plane, static_cast<std::uint32_t>(4 * place + axis) };
+    return { plane, makeLink(place, static_cast<std::uint32_t>(axis)) };
   }
 
   layout::KdNode Select(std::size_t n)
@@ -159,7 +161,7 @@ private:
       this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;
     const float length = static_cast<float>(cells * 2.0 * static_cast<double>(width));
     const float step = absent ? -length : length;
-    layout::KdNode leaf{ 0, 4 * region.firstBrick + layout::KD_LEAF };
+    layout::KdNode leaf{ 0, makeLink(region.firstBrick, layout::KD_LEAF) };
     std::memcpy(&leaf.plane, &step, sizeof step);
     ++this->Result.boxCount;
     if (this->WantsBoxes)

@@ -20,7 +20,8 @@ struct ActiveRegions
   std::vector<layout::KdNode> nodes;
 };
 
-/// `weights`: of the steps; null: one cell of the finest brick everywhere.
+/// `weights`: of the steps; null: one cell of the finest brick everywhere. Throws
+/// std::length_error, with words for the user, if there are too many for the nodes' links.
 ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
   const StepWeights* weights = nullptr, bool boxes = true);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Regions.h"
 
+#include "Core/KdLink.h"
+
 #include <limits>
 
 namespace exabricks
@@ -59,7 +61,7 @@ public:
     this->Lists.resize(this->Supports.size());
     for (std::size_t i = 0; i < this->Supports.size(); ++i)
     {
-      this->Lists[i] = static_cast<std::uint32_t>(i);
+      this->Lists[i] = checkIndex(i);
     }
     this->Tree.nodes.push_back({});
     this->Node({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
@@ -141,7 +143,7 @@ private:
     const int axis = this->Best.axis;
     const int plane = this->Best.position;
     const std::size_t child = this->Tree.nodes.size();
-    this->Tree.nodes[node] = { plane, static_cast<std::uint32_t>(4 * child + axis) };
+    this->Tree.nodes[node] = { plane, makeLink(child, static_cast<std::uint32_t>(axis)) };
     this->Tree.nodes.resize(child + 2);
     for (int side = 0; side < 2; ++side)
     {
@@ -165,10 +167,10 @@ private:
 
   void Leaf(const HalfBox& box, std::size_t node, std::size_t begin, double share)
   {
-    const std::uint32_t region = static_cast<std::uint32_t>(this->Tree.regions.size());
-    this->Tree.nodes[node] = { 0, 4 * region + layout::KD_LEAF };
-    this->Tree.regions.push_back({ box.lo, static_cast<std::uint32_t>(this->Tree.brickLists.size()),
-      box.hi, static_cast<std::uint32_t>(this->Lists.size() - begin) });
+    const std::size_t region = this->Tree.regions.size();
+    this->Tree.nodes[node] = { 0, makeLink(region, layout::KD_LEAF) };
+    this->Tree.regions.push_back({ box.lo, checkIndex(this->Tree.brickLists.size()), box.hi,
+      static_cast<std::uint32_t>(this->Lists.size() - begin) });
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
     this->Done += share;

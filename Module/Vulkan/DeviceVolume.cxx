@@ -80,15 +80,6 @@ void DeviceVolume::setActive(ActiveRegions active)
   this->Scene = {};
   this->Regions = active.regions;
   this->BoxCount = active.boxCount;
-  const std::size_t most = layout::KD_NO_REGION; // links have 30 bits
-  const std::size_t entries = this->BrickLists.bytes() / sizeof(std::uint32_t);
-  if (active.nodes.size() >= most || entries >= most ||
-    this->Bricks.bytes() / sizeof(layout::Brick) >= layout::LAST_BRICK)
-  {
-    throw Failure("expected regions with fewer than 2^30 nodes and entries of lists, found " +
-      std::to_string(active.nodes.size()) + " and " + std::to_string(entries) +
-      ". Read fewer levels");
-  }
   if (active.boxes.empty())
   {
     this->Nodes = makeBuffer(this->Owner, active.nodes, "the k-d tree");

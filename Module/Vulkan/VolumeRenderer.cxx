@@ -467,6 +467,12 @@ struct VolumeRenderer::Internals
         this->DropAll();
         return "out of memory on the host";
       }
+      catch (const std::length_error& error)
+      {
+        this->DropAll();
+        this->Fault = error.what(); // the volume has too many regions, and Core has words for it
+        return this->Fault;
+      }
       catch (const vulkan::Failure& failure)
       {
         this->DropAll();
