@@ -29,9 +29,9 @@ std::string triple(const double v[3])
   return text.str();
 }
 
-// Whole ratio of the spacings of two levels, or 0. Readers are known to report wrong ratios, but
-// spacings they have to get right.
-std::int64_t findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
+// Whole ratio of the spacings of two levels, or 0; it may be larger than any integer. Readers are
+// known to report wrong ratios, but spacings they have to get right.
+double findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
 {
   const glm::dvec3 ratio = coarse / fine;
   const double whole = std::round(ratio.x);
@@ -39,10 +39,10 @@ std::int64_t findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
   {
     if (!(std::abs(ratio[axis] - whole) <= 1e-3 * whole))
     {
-      return 0;
+      return 0.0;
     }
   }
-  return static_cast<std::int64_t>(whole);
+  return whole;
 }
 
 class Reader
@@ -133,10 +133,9 @@ private:
     {
       const double cells = (origin[axis] - bounds[2 * axis]) / spacing[axis] +
         static_cast<double>(block.cells.lo[axis]);
-      const double off = std::round(cells);
-      offset[axis] = static_cast<std::int64_t>(off);
-      if (!(std::abs(cells - off) < 0.1) || offset[axis] < 0 ||
-        offset[axis] + block.cells.size()[axis] > points[axis] - 1)
+      const double off = std::round(cells); // of any size, or not a number
+      const double room = static_cast<double>(points[axis] - 1 - block.cells.size()[axis]);
+      if (!(std::abs(cells - off) < 0.1) || !(off >= 0.0) || !(off <= room))
       {
         const double corner[3] = { bounds[0], bounds[2], bounds[4] };
         std::ostringstream text;
@@ -149,6 +148,7 @@ private:
         this->Input.fault = text.str();
         return;
       }
+      offset[axis] = static_cast<std::int64_t>(off);
     }
     this->Input.hierarchy.blocks.push_back(block);
     this->Input.grids.emplace_back(grid);
@@ -161,8 +161,8 @@ private:
     this->Input.hierarchy.cellWidth.assign(levels, 1);
     for (std::size_t level = levels - 1; level-- > 0;)
     {
-      const std::int64_t ratio = findRatio(this->Spacings[level], this->Spacings[level + 1]);
-      if (ratio < 2)
+      const double ratio = findRatio(this->Spacings[level], this->Spacings[level + 1]);
+      if (!(ratio >= 2.0))
       {
         this->Input.fault =
           "expected the same whole refinement ratio of at least 2 along all axes, found spacing " +
@@ -172,7 +172,14 @@ private:
           std::to_string(this->Input.amrLevel[level + 1]) + ". Check the spacings of the AMR";
         return;
       }
-      this->Input.hierarchy.cellWidth[level] = ratio * this->Input.hierarchy.cellWidth[level + 1];
+      const std::int64_t width = this->Input.hierarchy.cellWidth[level + 1];
+      if (ratio * static_cast<double>(width) >= static_cast<double>(LatticeLimit))
+      {
+        this->Input.fault = describeWideRatio(
+          ratio, this->Input.amrLevel[level], this->Input.amrLevel[level + 1], width);
+        return;
+      }
+      this->Input.hierarchy.cellWidth[level] = static_cast<std::int64_t>(ratio) * width;
     }
     // Of all spacings the coarsest is stored with the least relative error.
     this->Input.hierarchy.spacing =

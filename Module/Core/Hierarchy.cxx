@@ -2,9 +2,21 @@
 #include "Core/Hierarchy.h"
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace exabricks
 {
+std::string describeWideRatio(double ratio, int coarse, int fine, std::int64_t width)
+{
+  std::ostringstream text;
+  text << "expected cells less than 2^30 finest cells wide, found a refinement ratio of "
+       << std::setprecision(15) << ratio << " between levels " << coarse << " and " << fine
+       << ", whose cells are " << width << (width == 1 ? " finest cell" : " finest cells")
+       << " wide: read fewer levels, or check the spacings";
+  return text.str();
+}
+
 std::string findFault(const Hierarchy& hierarchy)
 {
   if (hierarchy.cellWidth.empty() || hierarchy.cellWidth.back() != 1)
@@ -22,6 +34,16 @@ std::string findFault(const Hierarchy& hierarchy)
         std::to_string(coarse) + " and " + std::to_string(fine) + " finest cells wide";
     }
   }
+  for (std::size_t level = hierarchy.cellWidth.size() - 1; level-- > 0;)
+  {
+    const std::int64_t coarse = hierarchy.cellWidth[level];
+    const std::int64_t fine = hierarchy.cellWidth[level + 1];
+    if (coarse >= LatticeLimit)
+    {
+      return describeWideRatio(static_cast<double>(coarse / fine), static_cast<int>(level),
+        static_cast<int>(level) + 1, fine);
+    }
+  }
   Box bounds;
   for (const Block& block : hierarchy.blocks)
   {
@@ -31,12 +53,24 @@ std::string findFault(const Hierarchy& hierarchy)
              "one of level " +
         std::to_string(block.level);
     }
+    // Looked at before they are multiplied with the width: sums of two products have to fit.
+    const std::int64_t width = hierarchy.cellWidth[block.level];
+    const std::int64_t farthest = (std::int64_t(1) << 61) / width;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (block.cells.lo[axis] < -farthest || block.cells.hi[axis] > farthest)
+      {
+        return "expected blocks within 2^61 finest cells of the lattice's origin, found one of "
+               "level " +
+          std::to_string(block.level) + " with cells from " + std::to_string(block.cells.lo[axis]) +
+          " to " + std::to_string(block.cells.hi[axis]) + " along axis " + std::to_string(axis) +
+          ", each " + std::to_string(width) + " finest cells wide: move the origin to the data";
+      }
+    }
     bounds = unite(bounds, hierarchy.logicalBox(block));
   }
-  // Half cells have to fit 32 bits on the device.
-  constexpr std::int64_t limit = std::int64_t(1) << 30;
   const Int3 size = bounds.size();
-  if (std::max({ size.x, size.y, size.z }) >= limit)
+  if (std::max({ size.x, size.y, size.z }) >= LatticeLimit)
   {
     return "expected a lattice of less than 2^30 finest cells along each axis, found " +
       std::to_string(std::max({ size.x, size.y, size.z })) + ": read fewer levels";

@@ -46,6 +46,14 @@ struct Hierarchy
   }
 };
 
+/// Cells of a level have to be less than this many finest cells wide, and so has the lattice: half
+/// cells have to fit 32 bits on the device.
+constexpr std::int64_t LatticeLimit = std::int64_t(1) << 30;
+
+/// What is said of levels whose cells would be too wide: the ratio of level `coarse` to `fine`,
+/// whose own cells are `width` finest cells wide. For ratios of any size.
+std::string describeWideRatio(double ratio, int coarse, int fine, std::int64_t width);
+
 /// Empty if the hierarchy can be used, else what was expected, what was found and what to do.
 std::string findFault(const Hierarchy& hierarchy);
 

@@ -14,6 +14,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTrivialProducer.h"
+
+#include <limits>
 #ifdef EXABRICKS_AMR_OF_VTK_9_6
 #include "vtkDoubleArray.h"
 #include "vtkRectilinearGrid.h"
@@ -222,6 +224,22 @@ int TestBadInput(int, char*[])
   skewed->SetSpacing(1, uneven);
   addGrid(skewed, blocks[1], { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.5 } });
   scene.Fails(skewed, { "same whole refinement ratio", "0.25" }, "a ratio of 2, 2, 4");
+  // Levels whose cells would be 2^62 finest cells wide, at once and as a product of ratios.
+  auto wide = test::makeNullBlocks(blocks);
+  addGrid(wide, blocks[0]);
+  const double tiny = std::ldexp(1.0, -62);
+  const double tinyCells[3] = { tiny, tiny, tiny };
+  wide->SetSpacing(1, tinyCells);
+  addGrid(wide, blocks[1], { { 0.0, 0.0, 0.0 }, { 2.0 * tiny, 2.0 * tiny, 2.0 * tiny } });
+  scene.Fails(wide,
+    { "less than 2^30 finest cells", "ratio of 4.61168601842739e+18 between levels 0 and 1" },
+    "a ratio of 2^62");
+  const std::vector<test::Block> three{ blocks[0], blocks[1], { 2, { 0, 0, 0 }, { 8, 8, 8 } } };
+  const test::Lattice steep{ {}, { 1.0, 1.0, 1.0 }, 2, { 1 << 21, 1 << 21 } };
+  scene.Fails(test::makeAMR(three, test::constant(1.0), steep),
+    { "less than 2^30 finest cells", "ratio of 2097152 between levels 0 and 1",
+      "whose cells are 2097152 finest cells" },
+    "a product of ratios of 2^42");
   auto beside = test::makeNullBlocks(blocks);
   addGrid(beside, blocks[0]);
   addGrid(beside, blocks[1], { { 0.2, 0.0, 0.0 } });
@@ -248,6 +266,12 @@ int TestBadInput(int, char*[])
 
   mapper->SetInputData(good);
   scene.Works("good input");
+
+  // Boxes at the last cells that an AMR can number: the origin is as far away on the other side.
+  constexpr int far = std::numeric_limits<int>::max() - 7;
+  mapper->SetInputData(test::makeAMR({ { 0, { far, far, far }, { 8, 8, 8 } } }, test::constant(1.0),
+    { { -double(far), -double(far), -double(far) } }));
+  scene.Works("boxes near the largest int");
 
   // All cells absent: no fault, but nothing to see.
   mapper->SetInputData(test::makeAMR(blocks, test::constant(std::nan(""))));
