@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/Buffer.h"
 
+#include "Vulkan/Faults.h"
+
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace exabricks
 {
@@ -14,10 +17,27 @@ std::string megabytes(vk::DeviceSize bytes)
 {
   return std::to_string(bytes) + " bytes (" + std::to_string(bytes >> 20) + " MiB)";
 }
+
+bool lacksMemory(const vk::SystemError& error)
+{
+  const auto code = static_cast<vk::Result>(error.code().value());
+  return code == vk::Result::eErrorOutOfDeviceMemory || code == vk::Result::eErrorOutOfHostMemory ||
+    code == vk::Result::eErrorMemoryMapFailed;
+}
+}
+
+Purpose Purpose::ofPicture(const char* what, int width, int height)
+{
+  Purpose purpose(what);
+  purpose.advice = "The window of " + std::to_string(width) + " x " + std::to_string(height) +
+    " pixels is too large for the device in one piece: make it smaller, or draw it in tiles "
+    "(vtkWindowToImageFilter::SetScale(), as ParaView's screenshots do)";
+  purpose.concernsPicture = true;
+  return purpose;
 }
 
 Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence residence,
-  const std::string& what, vk::BufferUsageFlags usage)
+  const Purpose& purpose, vk::BufferUsageFlags usage)
   : Owner(std::move(device))
   , Bytes(bytes)
 {
@@ -44,53 +64,77 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
       avoided = Flag::eDeviceLocal;
       break;
   }
-  this->Handle = vk::raii::Buffer(this->Owner->handle(),
-    vk::BufferCreateInfo({}, bytes,
-      usage | vk::BufferUsageFlagBits::eShaderDeviceAddress |
-        vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst |
-        vk::BufferUsageFlagBits::eTransferSrc));
-  const vk::MemoryRequirements needs = this->Handle.getMemoryRequirements();
-  const std::uint32_t type =
-    this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred, avoided);
-  const vk::DeviceSize available = this->Owner->availableMemory(type);
-  const auto refuse = [&]() -> Failure
+  const auto fail = [&](const std::string& why)
   {
-    return Failure("out of device memory: " + what + " needs " + megabytes(needs.size) + ", " +
-      this->Owner->name() + " has " + megabytes(available) +
-      " available. Use fewer levels, or a device with more memory");
+    const std::string text = why + ". " + purpose.advice;
+    if (purpose.concernsPicture)
+    {
+      throw PictureFailure(text);
+    }
+    throw Failure(text);
   };
-  if (needs.size > available)
+  if (bytes > this->Owner->maximumAllocation())
   {
-    throw refuse();
+    fail(purpose.contents + " needs " + megabytes(bytes) + " in one piece, " + this->Owner->name() +
+      " allows " + megabytes(this->Owner->maximumAllocation()));
   }
-  if (needs.size > this->Owner->maximumAllocation())
+  // What is available is not known before there is a buffer, as heaps differ.
+  vk::DeviceSize needed = bytes;
+  std::optional<vk::DeviceSize> available;
+  const auto refuse = [&]
   {
-    throw Failure(what + " needs " + megabytes(needs.size) + " in one piece, " +
-      this->Owner->name() + " allows " + megabytes(this->Owner->maximumAllocation()) +
-      ". Use fewer levels");
-  }
+    fail("out of device memory: " + purpose.contents + " needs " + megabytes(needed) + ", " +
+      this->Owner->name() +
+      (available ? " has " + megabytes(*available) + " available" : " refuses to make it"));
+  };
   try
   {
-    const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
+    this->Handle = vk::raii::Buffer(this->Owner->handle(),
+      vk::BufferCreateInfo({}, bytes,
+        usage | vk::BufferUsageFlagBits::eShaderDeviceAddress |
+          vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst |
+          vk::BufferUsageFlagBits::eTransferSrc));
+    const vk::MemoryRequirements needs = this->Handle.getMemoryRequirements();
+    const std::uint32_t type =
+      this->Owner->findMemoryType(needs.memoryTypeBits, required, preferred, avoided);
+    needed = needs.size;
+    available = this->Owner->availableMemory(type);
+    if (needed > *available)
+    {
+      refuse();
+    }
+    const vk::MemoryAllocateFlagsInfo allocateFlags(vk::MemoryAllocateFlagBits::eDeviceAddress);
     this->Memory = vk::raii::DeviceMemory(
-      this->Owner->handle(), vk::MemoryAllocateInfo(needs.size, type, &flags));
+      this->Owner->handle(), vk::MemoryAllocateInfo(needed, type, &allocateFlags));
+    this->Handle.bindMemory(*this->Memory, 0);
+    this->Address = this->Owner->handle().getBufferAddress({ *this->Handle });
+    const vk::MemoryPropertyFlags flags = this->Owner->memoryFlags(type);
+    if ((flags & hostWrites) == hostWrites &&
+      (residence != Residence::Device || this->Owner->isCpu()))
+    {
+      this->Mapped = this->Map();
+      if (!this->Mapped)
+      {
+        refuse();
+      }
+    }
   }
-  catch (const vk::OutOfDeviceMemoryError&)
+  catch (const vk::SystemError& error)
   {
-    throw refuse();
+    if (!lacksMemory(error))
+    {
+      throw;
+    }
+    refuse();
   }
-  catch (const vk::OutOfHostMemoryError&)
-  {
-    throw refuse();
-  }
-  this->Handle.bindMemory(*this->Memory, 0);
-  this->Address = this->Owner->handle().getBufferAddress({ *this->Handle });
-  const vk::MemoryPropertyFlags flags = this->Owner->memoryFlags(type);
-  if ((flags & hostWrites) == hostWrites &&
-    (residence != Residence::Device || this->Owner->isCpu()))
-  {
-    this->Mapped = this->Memory.mapMemory(0, VK_WHOLE_SIZE);
-  }
+}
+
+void* Buffer::Map() const
+{
+  void* mapped = this->Memory.mapMemory(0, VK_WHOLE_SIZE);
+  mapped = faults().mappedAt.value_or(mapped);
+  // Where a mapping fails, Mesa's CPU driver answers with success and what mmap() returns.
+  return mapped == reinterpret_cast<void*>(~std::uintptr_t(0)) ? nullptr : mapped;
 }
 
 void Buffer::upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offset)

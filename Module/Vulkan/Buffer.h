@@ -16,14 +16,28 @@ enum class Residence
   Readback // written by the device, read by the host
 };
 
+/// What a buffer is for, in the message that says that there is no memory for it.
+struct Purpose
+{
+  Purpose(const char* what)
+    : contents(what)
+  {
+  }
+  /// For something that has as many elements as the picture has pixels.
+  static Purpose ofPicture(const char* what, int width, int height);
+
+  std::string contents;
+  std::string advice = "Use fewer levels, or a device with more memory";
+  bool concernsPicture = false; // and not the volume
+};
+
 class Buffer
 {
 public:
   Buffer() = default;
-  /// Throws Failure, with the bytes needed and available, if it cannot be had. `what` names the
-  /// contents in the message.
+  /// Throws Failure, or PictureFailure, with the bytes needed and available, if it cannot be had.
   Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence residence,
-    const std::string& what, vk::BufferUsageFlags usage = {});
+    const Purpose& purpose, vk::BufferUsageFlags usage = {});
 
   const vk::raii::Buffer& handle() const { return this->Handle; }
   vk::DeviceAddress address() const { return this->Address; }
@@ -35,6 +49,9 @@ public:
   void upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offset = 0);
 
 private:
+  /// Null, if there is no memory for it.
+  void* Map() const;
+
   std::shared_ptr<Device> Owner;
   vk::raii::DeviceMemory Memory = nullptr;
   vk::raii::Buffer Handle = nullptr;
@@ -46,10 +63,10 @@ private:
 /// A buffer with a copy of `items` (at least one element long, so that its address is valid).
 template <typename T>
 Buffer makeBuffer(const std::shared_ptr<Device>& device, const std::vector<T>& items,
-  const std::string& what, vk::BufferUsageFlags usage = {})
+  const Purpose& purpose, vk::BufferUsageFlags usage = {})
 {
   Buffer buffer(
-    device, std::max<std::size_t>(items.size(), 1) * sizeof(T), Residence::Device, what, usage);
+    device, std::max<std::size_t>(items.size(), 1) * sizeof(T), Residence::Device, purpose, usage);
   buffer.upload(items.data(), items.size() * sizeof(T));
   return buffer;
 }

@@ -351,6 +351,11 @@ void Device::submit(const std::function<void(const vk::raii::CommandBuffer&)>& r
     --faults().lostSubmits;
     throw vk::DeviceLostError("simulated");
   }
+  if (faults().submitsWithoutMemory > 0)
+  {
+    --faults().submitsWithoutMemory;
+    throw vk::OutOfDeviceMemoryError("simulated");
+  }
   vk::raii::CommandBuffers buffers(
     this->Logical, { *this->Pool, vk::CommandBufferLevel::ePrimary, 1 });
   const vk::raii::CommandBuffer& commands = buffers.front();

@@ -24,6 +24,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// One that concerns this picture alone: the next one may be drawn.
+class PictureFailure : public Failure
+{
+public:
+  using Failure::Failure;
+};
+
 class Device
 {
 public:

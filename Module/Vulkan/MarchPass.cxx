@@ -18,12 +18,12 @@ constexpr std::uint32_t GroupSize = 8;         // local_size of March.comp
 constexpr std::uint32_t LargestBand = 1 << 20; // pixels
 
 void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSize bytes,
-  Residence residence, const char* what)
+  Residence residence, const Purpose& purpose)
 {
   if (buffer.bytes() < bytes)
   {
     buffer = Buffer(); // frees the old one first
-    buffer = Buffer(device, bytes, residence, what);
+    buffer = Buffer(device, bytes, residence, purpose);
   }
 }
 
@@ -66,13 +66,14 @@ MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
 void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4>& picture)
 {
   const std::size_t pixels = static_cast<std::size_t>(view.width) * view.height;
-  provide(
-    this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback, "the picture");
+  provide(this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback,
+    Purpose::ofPicture("the picture", view.width, view.height));
   const auto upload = [&](Buffer& buffer, const float* depth)
   {
     if (depth)
     {
-      provide(buffer, this->Owner, pixels * sizeof(float), Residence::Upload, "the depth buffer");
+      provide(buffer, this->Owner, pixels * sizeof(float), Residence::Upload,
+        Purpose::ofPicture("the depth buffer", view.width, view.height));
       buffer.upload(depth, pixels * sizeof(float));
     }
   };

@@ -465,13 +465,29 @@ struct VolumeRenderer::Internals
       catch (const std::bad_alloc&)
       {
         this->DropAll();
-        return "out of memory on the host";
+        return "out of memory on the host. Read fewer levels, or make the window smaller";
+      }
+      catch (const vk::OutOfHostMemoryError& error)
+      {
+        this->DropAll();
+        return "out of memory on the host, in the driver of " + this->Figures.device + " (" +
+          error.what() + "). Read fewer levels, or make the window smaller";
+      }
+      catch (const vk::OutOfDeviceMemoryError& error)
+      {
+        this->DropAll();
+        return "out of device memory on " + this->Figures.device + " (" + error.what() +
+          "). Use fewer levels, make the window smaller, or use a device with more memory";
       }
       catch (const std::length_error& error)
       {
         this->DropAll();
         this->Fault = error.what(); // the volume has too many regions, and Core has words for it
         return this->Fault;
+      }
+      catch (const vulkan::PictureFailure& failure)
+      {
+        return failure.what(); // a smaller picture can be drawn with all that there is
       }
       catch (const vulkan::Failure& failure)
       {

@@ -74,6 +74,75 @@ TEST_F(ReportsFaults, SaysHowManyBytesAreNeededAndAvailable)
   EXPECT_EQ(largestDifference(before, subject.render(view)), 0.0);
 }
 
+TEST_F(ReportsFaults, TakesAMappingToNowhereForOutOfMemory)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ 1, 0, 0 }, 0.0, 16);
+  const reference::Image before = subject.render(view);
+  for (void* const nowhere : { static_cast<void*>(nullptr), reinterpret_cast<void*>(-1) })
+  {
+    vulkan::faults().mappedAt = nowhere;
+    subject.renderer.release();
+    std::vector<glm::vec4> pixels;
+    const std::string fault = subject.renderer.render(subject.toView(view), pixels);
+    EXPECT_TRUE(contains(fault, "out of device memory")) << fault;
+    EXPECT_TRUE(contains(fault, "bytes")) << fault;
+    vulkan::faults() = {};
+    subject.renderer.release();
+    EXPECT_EQ(largestDifference(before, subject.render(view)), 0.0);
+  }
+}
+
+TEST_F(ReportsFaults, SaysHowToDrawAPictureThatIsTooLarge)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ 1, 0, 0 }, 0.0, 16);
+  const reference::Image before = subject.render(view);
+  const std::vector<float> depth(512 * 512, 1.0f);
+  std::vector<glm::vec4> pixels;
+  View large = subject.toView(view);
+  large.width = large.height = 512;
+  const auto expectAdvice = [&](const std::string& contents, std::uint64_t bytes)
+  {
+    const std::string fault = subject.renderer.render(large, pixels);
+    EXPECT_TRUE(contains(fault, contents + " needs " + std::to_string(bytes) + " bytes")) << fault;
+    EXPECT_TRUE(contains(fault, std::to_string(large.width) + " x ")) << fault;
+    EXPECT_TRUE(contains(fault, "make it smaller, or draw it in tiles")) << fault;
+    EXPECT_FALSE(contains(fault, "fewer levels")) << fault;
+    // A smaller picture is drawn at once: nothing has to be set anew.
+    EXPECT_EQ(largestDifference(before, subject.render(view)), 0.0);
+  };
+  vulkan::faults().availableMemory = 1000000;
+  expectAdvice("the picture", 512 * 512 * sizeof(glm::vec4));
+  vulkan::faults() = {};
+  ASSERT_EQ(subject.renderer.render(large, pixels), ""); // this buffer is kept
+  vulkan::faults().availableMemory = 1000000;
+  large.depth = depth.data();
+  expectAdvice("the depth buffer", 512 * 512 * sizeof(float));
+
+  // Mesa's CPU driver has no buffers of 2^32 bytes: the real thing.
+  vulkan::faults() = {};
+  if (vulkan::Device::acquire("")->isCpu())
+  {
+    large.width = large.height = 16384;
+    large.depth = nullptr;
+    expectAdvice("the picture", std::uint64_t(1) << 32);
+  }
+}
+
+TEST_F(ReportsFaults, SaysWhatToDoWhereTheDeviceHasNoMemoryToWorkWith)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ 1, 0, 0 }, 0.0, 16);
+  const reference::Image before = subject.render(view);
+  vulkan::faults().submitsWithoutMemory = 1;
+  std::vector<glm::vec4> pixels;
+  const std::string fault = subject.renderer.render(subject.toView(view), pixels);
+  EXPECT_TRUE(contains(fault, "out of device memory on ")) << fault;
+  EXPECT_TRUE(contains(fault, "fewer levels")) << fault;
+  EXPECT_EQ(largestDifference(before, subject.render(view)), 0.0);
+}
+
 TEST_F(ReportsFaults, ALostDeviceIsRebuiltOnceAndThenGivenUp)
 {
   SceneRenderer subject(reference::twoLevels());
