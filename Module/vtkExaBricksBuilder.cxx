@@ -17,6 +17,7 @@
 #include "vtkVersionMacros.h"
 
 #include <chrono>
+#include <exception>
 #include <new>
 #include <set>
 
@@ -59,7 +60,10 @@ struct vtkExaBricksBuilder::vtkInternals
 {
   std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
   bool SaidPointsAreConverted = false;
-  bool Aborted = false; // the last build: its output is empty, and not to be taken for up to date
+  // The last build was aborted, or there was no memory for it: its output is empty, and not to be
+  // taken for up to date.
+  bool Unfinished = false;
+  bool SaidNoMemory = false; // since the last build that there was memory for
 
   // Points each block of `source` to its array. Returns the array's name; sets its number of
   // components, and `fault`.
@@ -165,11 +169,11 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
     {
       self->UpdateProgress(from + (to - from) * done);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-      self->Internals->Aborted = self->CheckAbort() || self->GetAbortExecute();
+      self->Internals->Unfinished = self->CheckAbort() || self->GetAbortExecute();
 #else
-      self->Internals->Aborted = self->GetAbortExecute() != 0;
+      self->Internals->Unfinished = self->GetAbortExecute() != 0;
 #endif
-      return !self->Internals->Aborted;
+      return !self->Internals->Unfinished;
     };
   };
   const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
@@ -230,7 +234,7 @@ vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;
 vtkMTimeType vtkExaBricksBuilder::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Internals->Aborted)
+  if (this->Internals->Unfinished)
   {
     vtkTimeStamp now;
     now.Modified();
@@ -274,7 +278,7 @@ int vtkExaBricksBuilder::RequestData(
   vtkExaBricksData* output = vtkExaBricksData::SafeDownCast(
     outputVector->GetInformationObject(0)->Get(vtkDataObject::DATA_OBJECT()));
   output->Initialize();
-  this->Internals->Aborted = false;
+  this->Internals->Unfinished = false;
   if (!amr)
   {
     vtkErrorMacro("Expected a vtkOverlappingAMR, found none. Set the input.");
@@ -289,12 +293,25 @@ int vtkExaBricksBuilder::RequestData(
     {
       output->SetContents(std::move(contents));
     }
+    this->Internals->SaidNoMemory = false;
   }
   catch (const std::bad_alloc&)
   {
     this->Internals->Structure.reset();
-    vtkErrorMacro("Expected memory for bricks, regions and 4 bytes for each leaf cell, the machine "
-                  "has too little. Read fewer levels.");
+    this->Internals->Unfinished = true;
+    // Each picture tries anew: it is said once as long as it stays.
+    if (!this->Internals->SaidNoMemory)
+    {
+      this->Internals->SaidNoMemory = true;
+      vtkErrorMacro("Out of memory on the host: expected memory for bricks, regions and values of "
+        << amr->GetNumberOfCells() << " cells, which are up to " << 4 * amr->GetNumberOfCells()
+        << " bytes for the values alone. Read fewer levels.");
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->Internals->Structure.reset();
+    vtkErrorMacro(<< error.what() << ".");
   }
   return 1;
 }

@@ -62,7 +62,8 @@ public:
 
   vtkExaBricksData* GetOutput();
 
-  /// Later than its output when the last run was aborted: the next Update() runs again.
+  /// Later than its output when the last run was aborted or there was no memory for it: the next
+  /// Update() runs again.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -39,6 +39,9 @@ std::string lowerCase(std::string text)
 struct vtkExaBricksSceneSource::vtkInternals
 {
   StandIn Made; // of the last run, without blocks
+  // There was no memory for the last run: its output is empty, and not to be taken for up to date.
+  bool Unfinished = false;
+  bool SaidNoMemory = false; // since the last run that there was memory for
 };
 
 vtkExaBricksSceneSource::vtkExaBricksSceneSource()
@@ -49,6 +52,18 @@ vtkExaBricksSceneSource::vtkExaBricksSceneSource()
 }
 
 vtkExaBricksSceneSource::~vtkExaBricksSceneSource() = default;
+
+vtkMTimeType vtkExaBricksSceneSource::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Internals->Unfinished)
+  {
+    vtkTimeStamp now;
+    now.Modified();
+    time = now.GetMTime();
+  }
+  return time;
+}
 
 void vtkExaBricksSceneSource::SetSceneName(const char* name)
 {
@@ -101,6 +116,7 @@ int vtkExaBricksSceneSource::RequestData(
   vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(outputVector, 0);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, 1);
   this->Internals->Made = {};
+  this->Internals->Unfinished = false;
   if (this->NumberOfLeafCells < this->GetLeastNumberOfLeafCells())
   {
     vtkWarningMacro("Expected at least "
@@ -131,14 +147,22 @@ int vtkExaBricksSceneSource::RequestData(
     made.cells.reset();
     made.mesh = {};
     this->Internals->Made = std::move(made);
+    this->Internals->SaidNoMemory = false;
   }
   catch (const std::bad_alloc&)
   {
     amr->Initialize();
     mesh->Initialize();
-    vtkErrorMacro("Expected memory for "
-      << this->NumberOfLeafCells
-      << " leaf cells, the machine has too little. Set a smaller NumberOfLeafCells.");
+    this->Internals->Unfinished = true;
+    // Each update tries anew: it is said once as long as it stays.
+    if (!this->Internals->SaidNoMemory)
+    {
+      this->Internals->SaidNoMemory = true;
+      vtkErrorMacro("Out of memory on the host: expected memory for "
+        << this->NumberOfLeafCells << " leaf cells, which are at least "
+        << 5 * this->NumberOfLeafCells
+        << " bytes for values and ghost marks alone. Set a smaller NumberOfLeafCells.");
+    }
   }
   return 1;
 }

@@ -116,6 +116,9 @@ public:
   /// The surface inside the volume: output port 1.
   vtkPolyData* GetMesh();
 
+  /// Later than its output when there was no memory for the last run: the next Update() runs again.
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkExaBricksSceneSource();
   ~vtkExaBricksSceneSource() override;

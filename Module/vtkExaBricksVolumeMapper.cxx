@@ -495,7 +495,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     catch (const std::bad_alloc&)
     {
       internals.Contents.reset();
-      fault = "out of memory on the host";
+      fault = "out of memory on the host. Read fewer levels, or make the window smaller";
     }
     internals.SayFault(this, fault);
     internals.Drawn.set(ren, fault.empty());

@@ -3,6 +3,7 @@
 
 #include "Adapters/AMRCompatibility.h"
 #include "Core/BlockIndex.h"
+#include "Core/FirstException.h"
 
 #include "vtkAMRBox.h"
 #include "vtkCellArray.h"
@@ -87,6 +88,21 @@ vtkSmartPointer<vtkUniformGrid> makeGrid(const Hierarchy& hierarchy, const Block
   grid->SetDimensions(points.x, points.y, points.z);
   return grid;
 }
+
+// The values of a block, row by row: it may be large.
+void fill(const CellSource& cells, int block, const Box& box, float* to)
+{
+  std::vector<double> row(static_cast<std::size_t>(box.size().x));
+  for (std::int64_t z = box.lo.z; z < box.hi.z; ++z)
+  {
+    for (std::int64_t y = box.lo.y; y < box.hi.y; ++y)
+    {
+      cells.read(block, { { box.lo.x, y, z }, { box.hi.x, y + 1, z + 1 } }, row.data());
+      to = std::transform(
+        row.begin(), row.end(), to, [](double value) { return static_cast<float>(value); });
+    }
+  }
+}
 }
 
 bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
@@ -129,23 +145,13 @@ bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* n
       return false;
     }
     const int end = std::min(begin + part, count);
+    FirstException failure;
 #pragma omp parallel for schedule(dynamic, 4)
     for (int b = begin; b < end; ++b)
     {
-      // row by row: a block may be large
-      const Box& box = hierarchy.blocks[b].cells;
-      float* to = arrays[b]->GetPointer(0);
-      std::vector<double> row(static_cast<std::size_t>(box.size().x));
-      for (std::int64_t z = box.lo.z; z < box.hi.z; ++z)
-      {
-        for (std::int64_t y = box.lo.y; y < box.hi.y; ++y)
-        {
-          cells.read(b, { { box.lo.x, y, z }, { box.hi.x, y + 1, z + 1 } }, row.data());
-          to = std::transform(
-            row.begin(), row.end(), to, [](double value) { return static_cast<float>(value); });
-        }
-      }
+      failure.guard([&] { fill(cells, b, hierarchy.blocks[b].cells, arrays[b]->GetPointer(0)); });
     }
+    failure.rethrow();
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include "Core/BoxIndex.h"
 #include "Core/Completion.h"
+#include "Core/FirstException.h"
 #include "Core/Structure.h"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -125,8 +126,8 @@ Scalars average(const Volume& from, const std::vector<Brick>& bricks,
   const Averager averager(from);
   std::vector<Averager::Scratch> scratches(omp_get_max_threads());
   std::uint64_t absentCells = 0;
-#pragma omp parallel for schedule(dynamic, 2) reduction(+ : absentCells) if (cells > ParallelCells)
-  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
+  // Returns how many of the brick's cells are absent.
+  const auto averageBrick = [&](std::size_t b) -> std::uint64_t
   {
     const Brick& brick = bricks[b];
     const std::int64_t width = cellWidth[brick.level];
@@ -141,8 +142,15 @@ Scalars average(const Volume& from, const std::vector<Brick>& bricks,
       absent += !there;
     }
     scalars.brickHasAbsentCells[b] = absent > 0;
-    absentCells += absent;
+    return absent;
+  };
+  FirstException failure;
+#pragma omp parallel for schedule(dynamic, 2) reduction(+ : absentCells) if (cells > ParallelCells)
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
+  {
+    failure.guard([&] { absentCells += averageBrick(static_cast<std::size_t>(b)); });
   }
+  failure.rethrow();
   scalars.absentCells = absentCells;
   return scalars;
 }

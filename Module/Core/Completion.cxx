@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Completion.h"
 
+#include "Core/FirstException.h"
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -326,16 +328,22 @@ Completion complete(const RegionTree& tree, const std::vector<Brick>& bricks,
   {
     origins.emplace_back((brick.lo - tree.bounds.lo) * std::int64_t(2));
   }
+  FirstException failure;
 #pragma omp parallel if (count > ParallelCells)
   {
     Completer completer(tree, bricks, cellWidth, scalars, origins);
 #pragma omp for schedule(dynamic, 2)
     for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
     {
-      completed.brickHasAbsentCells[b] = completer.complete(
-        static_cast<int>(b), completed.values.data() + completion.bricks[b].firstValue);
+      failure.guard(
+        [&]
+        {
+          completed.brickHasAbsentCells[b] = completer.complete(
+            static_cast<int>(b), completed.values.data() + completion.bricks[b].firstValue);
+        });
     }
   }
+  failure.rethrow();
   return completion;
 }
 }

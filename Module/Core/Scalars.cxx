@@ -2,6 +2,7 @@
 #include "Core/Scalars.h"
 
 #include "Core/BlockIndex.h"
+#include "Core/FirstException.h"
 
 #include <atomic>
 #include <cmath>
@@ -147,6 +148,7 @@ bool forEachBrick(
   }
   std::atomic<bool> aborted{ false };
   std::atomic<std::size_t> done{ 0 };
+  FirstException failure;
 #pragma omp parallel if (countCells(bricks) > ParallelCells)
   {
     BrickReader::Scratch scratch;
@@ -158,14 +160,19 @@ bool forEachBrick(
       {
         continue;
       }
-      work(static_cast<std::size_t>(i), scratch);
-      const std::size_t n = ++done;
-      if (progress && omp_get_thread_num() == 0 && ++own % 16 == 0)
-      {
-        aborted = !progress(before + 0.5 * static_cast<double>(n) / static_cast<double>(count));
-      }
+      failure.guard(
+        [&]
+        {
+          work(static_cast<std::size_t>(i), scratch);
+          const std::size_t n = ++done;
+          if (progress && omp_get_thread_num() == 0 && ++own % 16 == 0)
+          {
+            aborted = !progress(before + 0.5 * static_cast<double>(n) / static_cast<double>(count));
+          }
+        });
     }
   }
+  failure.rethrow();
   return !aborted && (!progress || progress(before + 0.5));
 }
 }

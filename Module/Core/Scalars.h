@@ -66,7 +66,7 @@ struct Scalars
 };
 
 /// Reads every leaf cell twice: for the range, then to normalise in double precision. Returns no
-/// values if `progress` aborts.
+/// values if `progress` aborts. What the source or `progress` throws is thrown on.
 Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bricks,
   const CellSource& source, const Progress& progress = {});
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ValueRanges.h"
 
+#include "Core/FirstException.h"
+
 namespace exabricks
 {
 namespace
@@ -101,14 +103,13 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
   }
   ranges.grids.shrink_to_fit();
   ranges.macrocells.resize(count);
-#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
-  for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
+  const auto findOfRegion = [&](std::size_t r)
   {
     const layout::Region& region = tree.regions[r];
     if (gridOf[r] < 0)
     {
       ranges.regions[r] = finder.find(region, region.lo, region.hi);
-      continue;
+      return;
     }
     const MacrocellGrid& grid = ranges.grids[gridOf[r]];
     const glm::ivec3 n = grid.count(region);
@@ -125,7 +126,14 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
         }
       }
     }
+  };
+  FirstException failure;
+#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
+  for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
+  {
+    failure.guard([&] { findOfRegion(static_cast<std::size_t>(r)); });
   }
+  failure.rethrow();
   return ranges;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes/Refinement.h"
 
+#include "Core/FirstException.h"
 #include "Scenes/MergeCells.h"
 #include "Scenes/Noise.h"
 
@@ -88,11 +89,14 @@ Hierarchy refineOnGrid(const Recipe& recipe, double coarseCellsPerUnit)
     const double cellSize = finest * static_cast<double>(hierarchy.cellWidth[level]);
     const std::int64_t count = static_cast<std::int64_t>(hierarchy.blocks.size() - begin);
     std::vector<std::vector<Block>> children(static_cast<std::size_t>(count));
+    FirstException failure;
 #pragma omp parallel for schedule(dynamic, 16)
     for (std::int64_t b = 0; b < count; ++b)
     {
-      children[b] = refineBlock(recipe, hierarchy.blocks[begin + b], cellSize);
+      failure.guard(
+        [&] { children[b] = refineBlock(recipe, hierarchy.blocks[begin + b], cellSize); });
     }
+    failure.rethrow();
     begin = hierarchy.blocks.size();
     for (const std::vector<Block>& some : children)
     {

@@ -10,7 +10,12 @@
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
 
 namespace
 {
@@ -81,6 +86,85 @@ void checkStructureIsKept(test::Checks& checks)
   show(moved, ramp, lattice, 3, "built for a missing block");
   builder->Update();
   checks.Equal(builder->GetNumberOfStructureBuilds(), 3, "nothing new, nothing built");
+}
+
+// An array whose values cannot be had, as if there were no memory to read them. Of a kind that is
+// read through virtual functions, and so through this one.
+class FailingArray : public vtkSOADataArrayTemplate<double>
+{
+public:
+  static FailingArray* New();
+  vtkTypeMacro(FailingArray, vtkSOADataArrayTemplate<double>);
+
+  enum class Fault
+  {
+    None,
+    NoMemory,
+    Other
+  };
+  std::atomic<Fault> Now{ Fault::None };
+
+  double GetComponent(vtkIdType tuple, int component) override
+  {
+    switch (this->Now)
+    {
+      case Fault::NoMemory:
+        throw std::bad_alloc();
+      case Fault::Other:
+        throw std::runtime_error("this array is broken");
+      default:
+        return this->vtkSOADataArrayTemplate<double>::GetComponent(tuple, component);
+    }
+  }
+};
+vtkStandardNewMacro(FailingArray);
+
+// What is thrown on the threads that read the values comes back as an error with an empty output,
+// and once there is memory the next Update() works.
+void checkExceptions(test::Checks& checks)
+{
+  constexpr int side = 64; // cells enough for several threads
+  const test::Block block{ 0, { 0, 0, 0 }, { side, side, side } };
+  auto amr = test::makeNullBlocks({ block });
+  auto grid = test::makeGrid(block);
+  vtkNew<FailingArray> array;
+  array->SetName("failing");
+  array->SetNumberOfComponents(1);
+  array->SetNumberOfTuples(side * side * side);
+  array->FillComponent(0, 1.0);
+  grid->GetCellData()->SetScalars(array);
+  amr->SetDataSet(0, 0, grid);
+
+  test::Messages messages;
+  vtkNew<vtkExaBricksBuilder> builder;
+  builder->SetInputDataObject(amr);
+  array->Now = FailingArray::Fault::NoMemory;
+  builder->Update();
+  checks.Equal(messages.Errors().size(), 1, "errors without memory");
+  checks.Says(messages.TakeErrors(),
+    { "Out of memory on the host", "262144 cells", "1048576 bytes", "Read fewer levels" },
+    "without memory");
+  checks.Equal(builder->GetOutput()->GetNumberOfLeafCells(), 0, "leaf cells without memory");
+  checks.Equal(builder->GetOutput()->GetNumberOfBricks(), 0, "bricks without memory");
+  builder->Update();
+  checks.Expect(messages.Errors().empty(), "it is said once: " + messages.TakeErrors());
+  array->Now = FailingArray::Fault::None;
+  builder->Update();
+  checks.Expect(messages.Errors().empty(), "with memory: " + messages.TakeErrors());
+  checks.Equal(
+    builder->GetOutput()->GetNumberOfLeafCells(), side * side * side, "leaf cells with memory");
+
+  array->Now = FailingArray::Fault::Other;
+  builder->Modified();
+  builder->Update();
+  checks.Says(messages.TakeErrors(), { "this array is broken" }, "another exception");
+  checks.Equal(builder->GetOutput()->GetNumberOfLeafCells(), 0, "leaf cells of a broken array");
+  array->Now = FailingArray::Fault::None;
+  builder->Modified();
+  builder->Update();
+  checks.Expect(messages.Errors().empty(), "with a whole array: " + messages.TakeErrors());
+  checks.Equal(
+    builder->GetOutput()->GetNumberOfLeafCells(), side * side * side, "leaf cells in the end");
 }
 
 struct Watch
@@ -202,6 +286,7 @@ void checkCells(test::Checks& checks)
 int TestBuilder(int, char*[])
 {
   test::Checks checks;
+  checkExceptions(checks);
   checkCounts(checks);
   checkStructureIsKept(checks);
   checkProgressAndAbort(checks);
