@@ -224,22 +224,29 @@ int TestBadInput(int, char*[])
   skewed->SetSpacing(1, uneven);
   addGrid(skewed, blocks[1], { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.5 } });
   scene.Fails(skewed, { "same whole refinement ratio", "0.25" }, "a ratio of 2, 2, 4");
-  // Levels whose cells would be 2^62 finest cells wide, at once and as a product of ratios.
-  auto wide = test::makeNullBlocks(blocks);
-  addGrid(wide, blocks[0]);
-  const double tiny = std::ldexp(1.0, -62);
-  const double tinyCells[3] = { tiny, tiny, tiny };
-  wide->SetSpacing(1, tinyCells);
-  addGrid(wide, blocks[1], { { 0.0, 0.0, 0.0 }, { 2.0 * tiny, 2.0 * tiny, 2.0 * tiny } });
-  scene.Fails(wide,
-    { "less than 2^30 finest cells", "ratio of 4.61168601842739e+18 between levels 0 and 1" },
-    "a ratio of 2^62");
-  const std::vector<test::Block> three{ blocks[0], blocks[1], { 2, { 0, 0, 0 }, { 8, 8, 8 } } };
-  const test::Lattice steep{ {}, { 1.0, 1.0, 1.0 }, 2, { 1 << 21, 1 << 21 } };
-  scene.Fails(test::makeAMR(three, test::constant(1.0), steep),
-    { "less than 2^30 finest cells", "ratio of 2097152 between levels 0 and 1",
+  // Levels whose cells would be too many finest cells wide for any integer, at once and as a
+  // product of ratios.
+  const std::vector<std::pair<int, std::string>> ratios{ { 62, "4.61168601842739e+18" },
+    { 64, "1.84467440737096e+19" }, { 200, "1.60693804425899e+60" } };
+  for (const auto& ratio : ratios)
+  {
+    auto wide = test::makeNullBlocks(blocks);
+    addGrid(wide, blocks[0]);
+    const double tiny = std::ldexp(1.0, -ratio.first);
+    const double spacing[3] = { tiny, tiny, tiny };
+    wide->SetSpacing(1, spacing);
+    addGrid(wide, blocks[1], { {}, { 2.0 * tiny, 2.0 * tiny, 2.0 * tiny } });
+    scene.Fails(wide,
+      { "less than 2^30 finest cells", "ratio of " + ratio.second + " between levels 0 and 1" },
+      "a ratio of 2^" + std::to_string(ratio.first));
+  }
+  const std::vector<test::Block> four{ blocks[0], blocks[1], { 2, { 0, 0, 0 }, { 8, 8, 8 } },
+    { 3, { 0, 0, 0 }, { 8, 8, 8 } } };
+  const test::Lattice steep{ {}, { 1.0, 1.0, 1.0 }, 2, { 1 << 21, 1 << 21, 1 << 21 } };
+  scene.Fails(test::makeAMR(four, test::constant(1.0), steep),
+    { "less than 2^30 finest cells", "ratio of 2097152 between levels 1 and 2",
       "whose cells are 2097152 finest cells" },
-    "a product of ratios of 2^42");
+    "a product of ratios of 2^63");
   auto beside = test::makeNullBlocks(blocks);
   addGrid(beside, blocks[0]);
   addGrid(beside, blocks[1], { { 0.2, 0.0, 0.0 } });
