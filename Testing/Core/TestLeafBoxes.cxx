@@ -26,9 +26,7 @@ bool cellIsCoveredInPart(const Hierarchy& hierarchy, Lattice& finest, const Int3
 
 TEST(LeafBoxes, OfOneBlockAreThatBlock)
 {
-  Hierarchy hierarchy;
-  hierarchy.cellWidth = { 1 };
-  hierarchy.blocks = { { 0, cube(-3, 5) } };
+  const Hierarchy hierarchy{ { 1 }, { { 0, cube(-3, 5) } } };
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   ASSERT_EQ(leaves.boxes.size(), 1u);
   EXPECT_EQ(leaves.boxes[0].box, cube(-3, 5));
@@ -48,9 +46,7 @@ TEST(LeafBoxes, OfNoBlocksAreNone)
 
 TEST(LeafBoxes, LeaveOutCoveredCells)
 {
-  Hierarchy hierarchy;
-  hierarchy.cellWidth = { 2, 1 };
-  hierarchy.blocks = { { 0, cube(0, 4) }, { 1, cube(2, 6) } };
+  const Hierarchy hierarchy{ { 2, 1 }, { { 0, cube(0, 4) }, { 1, cube(2, 6) } } };
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   EXPECT_EQ(leaves.cells, 64u - 8u + 64u);
   EXPECT_EQ(leaves.partlyCoveredBoxes, 0u);
@@ -58,10 +54,9 @@ TEST(LeafBoxes, LeaveOutCoveredCells)
 
 TEST(LeafBoxes, CutPartlyCoveredCellsIntoFinerOnes)
 {
-  Hierarchy hierarchy;
-  hierarchy.cellWidth = { 4, 2, 1 };
   // Of the one coarse cell half is covered: what is left fits cells of width 2.
-  hierarchy.blocks = { { 0, cube(0, 1) }, { 2, { Int3(0), Int3(2, 4, 4) } } };
+  const Hierarchy hierarchy{ { 4, 2, 1 },
+    { { 0, cube(0, 1) }, { 2, { Int3(0), Int3(2, 4, 4) } } } };
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   ASSERT_EQ(leaves.boxes.size(), 2u);
   EXPECT_EQ(leaves.boxes[0].level, 1);
@@ -72,9 +67,7 @@ TEST(LeafBoxes, CutPartlyCoveredCellsIntoFinerOnes)
 
 TEST(LeafBoxes, TakeOverlapsOfALevelOnce)
 {
-  Hierarchy hierarchy;
-  hierarchy.cellWidth = { 1 };
-  hierarchy.blocks = { { 0, cube(0, 4) }, { 0, cube(2, 6) }, { 0, cube(0, 4) } };
+  const Hierarchy hierarchy{ { 1 }, { { 0, cube(0, 4) }, { 0, cube(2, 6) }, { 0, cube(0, 4) } } };
   EXPECT_EQ(findLeafBoxes(hierarchy).cells, 64u + 64u - 8u);
 }
 
@@ -149,11 +142,9 @@ TEST(LeafBoxes, CutPartlyCoveredCellsNoFinerThanNeeded)
 
 TEST(LeafBoxes, AreFoundFarFromTheOrigin)
 {
-  Hierarchy hierarchy;
-  hierarchy.cellWidth = { 2, 1 };
   const std::int64_t far = -(std::int64_t(1) << 40);
-  hierarchy.blocks = { { 0, { Int3(far), Int3(far + 4) } },
-    { 1, { Int3(2 * far + 2), Int3(2 * far + 4) } } };
+  const Hierarchy hierarchy{ { 2, 1 },
+    { { 0, { Int3(far), Int3(far + 4) } }, { 1, { Int3(2 * far + 2), Int3(2 * far + 4) } } } };
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   EXPECT_EQ(leaves.bounds, (Box{ Int3(2 * far), Int3(2 * far + 8) }));
   EXPECT_EQ(leaves.cells, 64u - 1u + 8u);
