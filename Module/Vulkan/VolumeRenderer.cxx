@@ -487,7 +487,8 @@ struct VolumeRenderer::Internals
       }
       catch (const vulkan::PictureFailure& failure)
       {
-        return failure.what(); // a smaller picture can be drawn with all that there is
+        this->Pass.reset(); // all the rest can draw a smaller picture
+        return failure.what();
       }
       catch (const vulkan::Failure& failure)
       {
