@@ -20,11 +20,26 @@
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
+#include <new>
 
 namespace exabricks
 {
 namespace
 {
+// Throws std::bad_alloc if there is too little memory for the blocks. To be asked for all of it
+// before the first one: where there is none for an object of VTK's own, VTK ends the process.
+void expectMemory(const Hierarchy& hierarchy)
+{
+  constexpr std::size_t bytesOfGrid = 8192; // with its attributes and arrays; VTK 9.1 takes 5100
+  constexpr std::size_t bytesOfCell = sizeof(float) + sizeof(unsigned char);
+  std::size_t bytes = 0;
+  for (const Block& block : hierarchy.blocks)
+  {
+    bytes += bytesOfGrid + bytesOfCell * static_cast<std::size_t>(block.cells.volume());
+  }
+  ::operator delete(::operator new(bytes));
+}
+
 void initialize(const Hierarchy& hierarchy, vtkOverlappingAMR* amr)
 {
   std::vector<int> blocksPerLevel(hierarchy.levels(), 0);
@@ -108,6 +123,7 @@ void fill(const CellSource& cells, int block, const Box& box, float* to)
 bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
   vtkOverlappingAMR* amr, const Progress& progress)
 {
+  expectMemory(hierarchy);
   initialize(hierarchy, amr);
   const BlockIndex index(hierarchy);
   const int count = static_cast<int>(hierarchy.blocks.size());
