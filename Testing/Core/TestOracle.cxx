@@ -31,6 +31,14 @@ Oracle makeOracle(const Hierarchy& hierarchy, const CellField& field, const Rang
   return Oracle(hierarchy, findLeafBoxes(hierarchy), fillCells(hierarchy, field), range);
 }
 
+// A row of transparent pixels, but for the first one.
+Image row(int pixels, double first)
+{
+  Image image{ pixels, 1, std::vector<glm::dvec4>(pixels, glm::dvec4(0.0)) };
+  image.pixels[0] = glm::dvec4(first);
+  return image;
+}
+
 // One pixel that looks along x through logical (y, z), from x = -100 to x = 100.
 View lookAlongX(double y, double z)
 {
@@ -372,16 +380,9 @@ TEST(View, HoldsAllOfTheBounds)
 
 TEST(Oracle, MeasuresNoiseInDecibels)
 {
-  Image a;
-  a.width = a.height = 1;
-  a.pixels = { glm::dvec4(0.0) };
-  Image b = a;
-  EXPECT_EQ(psnr(a, b), std::numeric_limits<double>::infinity());
-  b.pixels[0] = glm::dvec4(0.1);
-  EXPECT_NEAR(psnr(a, b), 20.0, 1e-12);
+  EXPECT_EQ(psnr(row(1, 0.0), row(1, 0.0)), std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(psnr(row(1, 0.0), row(1, 0.1)), 20.0, 1e-12);
   // Pixels that show nothing make a picture look better than it is.
-  a.pixels.resize(100, glm::dvec4(0.0));
-  b.pixels.resize(100, glm::dvec4(0.0));
-  EXPECT_NEAR(psnr(a, b), 40.0, 1e-12);
-  EXPECT_NEAR(psnrOfDrawn(a, b), 20.0, 1e-12);
+  EXPECT_NEAR(psnr(row(100, 0.0), row(100, 0.1)), 40.0, 1e-12);
+  EXPECT_NEAR(psnrOfDrawn(row(100, 0.0), row(100, 0.1)), 20.0, 1e-12);
 }

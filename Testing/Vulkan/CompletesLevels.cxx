@@ -357,13 +357,13 @@ TEST(CompletesLevels, RegionsHaveTheirBricksAndRanges)
       }
       ASSERT_LT(r, tree.regions.size());
       const layout::Region& region = tree.regions[r];
-      const std::vector<std::uint32_t> list(tree.brickLists.begin() + region.firstBrick,
-        tree.brickLists.begin() + region.firstBrick + region.brickCount);
-      const double value = sampleLayers(subject, p, list);
-      if (list.empty())
+      if (region.brickCount == 0)
       {
         continue;
       }
+      const std::uint32_t* first = tree.brickLists.data() + region.firstBrick;
+      const std::vector<std::uint32_t> list(first, first + region.brickCount);
+      const double value = sampleLayers(subject, p, list);
       const double expected = sampleLayers(subject, p);
       EXPECT_TRUE(std::abs(value - expected) < 1e-6 || std::isnan(expected)) << seed;
       if (!std::isnan(value))
