@@ -15,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
@@ -59,6 +60,8 @@ vtkExaBricksRepresentation::vtkExaBricksRepresentation()
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Property->IndependentComponentsOn();
+  // A new property says nearest, which the mapper takes for a wish.
+  this->Property->SetInterpolationTypeToLinear();
   this->Volume->AddObserver(
     vtkCommand::EndEvent, this, &vtkExaBricksRepresentation::UpdateStatistics);
 }
@@ -286,7 +289,11 @@ void vtkExaBricksRepresentation::SetStepScale(double scale) { this->Mapper->SetS
 
 void vtkExaBricksRepresentation::SetErrorTolerance(double tolerance)
 {
-  this->Mapper->SetErrorTolerance(tolerance);
+  // Each of several ranks would choose steps, and levels to leave out, by its own part of the
+  // picture, and the parts would not fit together.
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool alone = !controller || controller->GetNumberOfProcesses() == 1;
+  this->Mapper->SetErrorTolerance(alone ? tolerance : 0.0);
 }
 
 void vtkExaBricksRepresentation::SetTraversal(int traversal)

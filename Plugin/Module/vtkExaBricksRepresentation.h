@@ -63,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Of the mapper, see vtkExaBricksVolumeMapper.
+   * Of the mapper, see vtkExaBricksVolumeMapper. Where several ranks draw, the error tolerance is
+   * not used.
    */
   void SetReconstruction(int reconstruction);
   void SetStepScale(double scale);

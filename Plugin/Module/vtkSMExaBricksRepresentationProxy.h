@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMExaBricksRepresentationProxy
- * @brief   asks for the statistics of a vtkExaBricksRepresentation after each picture
+ * @brief   the client's side of a vtkExaBricksRepresentation
  *
- * ParaView asks for values of information when a panel is made; these change with each picture.
+ * Asks for the statistics after each picture: ParaView asks for values of information when a panel
+ * is made. Hides properties of the panel that mean nothing to ExaBricks, and says so where one of
+ * them is set. Keeps the opacity unit distance at about the length of a cell when more levels are
+ * read, until somebody chooses another. Warns where several ranks render.
  *
  * @sa
  * vtkExaBricksStatistics
@@ -14,6 +17,8 @@
 #include "vtkParaViewExaBricksModule.h" // for the export macro
 #include "vtkSMRepresentationProxy.h"
 #include "vtkWeakPointer.h" // for vtkWeakPointer
+
+#include <memory> // for std::unique_ptr
 
 class VTKPARAVIEWEXABRICKS_EXPORT vtkSMExaBricksRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -29,13 +34,21 @@ protected:
   vtkSMExaBricksRepresentationProxy();
   ~vtkSMExaBricksRepresentationProxy() override;
 
+  void CreateVTKObjects() override;
+
 private:
   vtkSMExaBricksRepresentationProxy(const vtkSMExaBricksRepresentationProxy&) = delete;
   void operator=(const vtkSMExaBricksRepresentationProxy&) = delete;
 
   void UpdateStatistics();
+  void UpdateUnitDistance(vtkSMProxy* view);
+  void WarnOfUnusedSettings();
+  void WarnOfRanks();
 
   vtkWeakPointer<vtkSMProxy> View; // that it was last in
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

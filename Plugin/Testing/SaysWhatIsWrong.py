@@ -1,36 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be drawn is said once, in words, and the outline is drawn; nothing at all is no fault."""
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow
-
 from Support import *
 
-said = []
-
-
-class Collector:
-    """Every text of ParaView's output window comes here."""
-
-    def __init__(self):
-        self.window = vtkOutputWindow.GetInstance()
-        for event in ("ErrorEvent", "WarningEvent"):
-            self.window.AddObserver(event, self.collect)
-
-    def collect(self, caller, event, text):
-        said.append(text)
-
-    collect.CallDataType = "string0"
-
-
 collector = Collector()
-
-
-def expect_said(*words):
-    found = [text for text in said if "ExaBricks" in text]
-    assert len(found) == 1, found
-    for word in words:
-        assert word in found[0], (word, found[0])
-    said.clear()
+expect_said = collector.expect_said
+said = collector.said
 
 
 def expect_outline(name):

@@ -10,6 +10,7 @@ import os
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 PLUGIN = os.environ["EXABRICKS_PLUGIN"]
@@ -121,3 +122,30 @@ def make_empty():
 def statistics(display):
     """What the panel tells of the last picture."""
     return display.SMProxy.GetProperty("Statistics").GetElement(0)
+
+
+class Collector:
+    """Every text of ParaView's output window comes here."""
+
+    def __init__(self):
+        self.said = []
+        self.window = vtkOutputWindow.GetInstance()
+        for event in ("ErrorEvent", "WarningEvent"):
+            self.window.AddObserver(event, self.collect)
+
+    def collect(self, caller, event, text):
+        self.said.append(text)
+
+    collect.CallDataType = "string0"
+
+    def expect_said(self, *words):
+        """One warning of ours with all these words, since the last look."""
+        found = [text for text in self.said if "ExaBricks" in text]
+        assert len(found) == 1, found
+        for word in words:
+            assert word in found[0], (word, found[0])
+        self.said.clear()
+
+    def expect_silence(self):
+        found = [text for text in self.said if "ExaBricks" in text]
+        assert not found, found

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundsDefault.h"
+
+#include "vtkNew.h"
+#include "vtkSMBoundsDomain.h"
+#include "vtkSMDoubleVectorProperty.h"
+
+#include <cmath>
+
+namespace exabricks
+{
+
+namespace
+{
+
+// States and panels write fewer digits.
+bool isAlike(double found, double expected)
+{
+  return std::abs(found - expected) <= 1e-6 * std::abs(expected);
+}
+
+}
+
+void BoundsDefault::update(vtkSMProperty* property)
+{
+  auto* values = vtkSMDoubleVectorProperty::SafeDownCast(property);
+  auto* domain = property ? property->FindDomain<vtkSMBoundsDomain>() : nullptr;
+  if (!values || !domain || values->GetNumberOfElements() != 1)
+  {
+    return;
+  }
+  // Domains write their defaults into a property. Not into this one, which panels listen to.
+  vtkNew<vtkSMDoubleVectorProperty> scratch;
+  scratch->SetNumberOfElements(1);
+  if (!domain->SetDefaultValues(scratch, /*use_unchecked_values=*/false))
+  {
+    return;
+  }
+  const double present = values->GetElement(0);
+  const double wanted = scratch->GetElement(0);
+  if (!this->known_ || present != this->found_)
+  {
+    // It may have been set back to the default of the data before these.
+    this->kept_ = isAlike(present, wanted) || (this->known_ && isAlike(present, this->default_));
+  }
+  this->changed_ = this->known_ && wanted != this->default_;
+  this->known_ = true;
+  this->found_ = present;
+  this->default_ = wanted;
+}
+
+}
