@@ -1,29 +1,87 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by ParaView's own window: loads the plugin, chooses the representation, and saves a picture of the view."""
+"""ParaView's own window: loads the plugin, chooses the representation, and saves a picture of the view.
+
+Started by Python, this starts ParaView, which runs the second half, and watches how far that gets: on a busy machine
+each step may take long, but one that takes longer than WAIT is named.
+"""
 
 import os
+import subprocess
 import sys
+import time
 import traceback
 
-status = 1
-try:
-    from Support import *
+WAIT = 300.0  # seconds for a step; without load each takes one to eight
+PROGRESS = "progress.txt"
 
-    load_plugin()
-    scene = make_scene()
-    view = simple.GetActiveViewOrCreate("RenderView")
-    display = simple.Show(scene, view)
-    display.SetRepresentationType("ExaBricks")
-    simple.ColorBy(display, ("CELLS", "value"))
-    display.SetScalarBarVisibility(view, True)
-    simple.Render(view)
-    simple.ResetCamera(view)
-    simple.Render(view)
-    pixels = picture(view, "view")
-    assert numpy.ptp(pixels[..., 0]) > 0.2, "something is drawn"
-    assert "active" in statistics(display), statistics(display)
-    status = 0
-except BaseException:
-    traceback.print_exc()
-sys.stderr.flush()
-os._exit(status)
+
+def begin(step):
+    """Tells the watching process what is done next."""
+    with open(PROGRESS, "a") as file:
+        file.write(step + "\n")
+
+
+def watch():
+    if os.path.exists(PROGRESS):
+        os.remove(PROGRESS)
+    begin("ParaView starts, opens its window and runs the script")
+    environment = dict(os.environ, EXABRICKS_IN_WINDOW="1")
+    paraview = subprocess.Popen([os.environ["EXABRICKS_PARAVIEW"], "--script", os.path.abspath(__file__)], env=environment)
+    seen, since = 0, time.monotonic()
+    try:
+        while True:
+            try:
+                status = paraview.wait(timeout=0.2)
+                break
+            except subprocess.TimeoutExpired:
+                pass
+            steps = open(PROGRESS).read().splitlines()
+            if len(steps) > seen:
+                print(f"{time.monotonic() - since:.1f} s, then: {steps[-1]}", flush=True)
+                seen, since = len(steps), time.monotonic()
+            assert time.monotonic() - since < WAIT, f"waited {WAIT} s for: {steps[-1]}"
+    finally:
+        paraview.kill()
+    steps = open(PROGRESS).read().splitlines()
+    # ParaView keeps what a script prints in its window.
+    print("\n".join(steps[seen:]))
+    assert status == 0, f"ParaView ended with status {status}, last it did: {steps[-1]}"
+
+
+def look():
+    """Within ParaView's window."""
+    status = 1
+    try:
+        from Support import load_plugin, make_scene, picture, simple, statistics
+
+        begin("the plugin loads")
+        load_plugin()
+        begin("the scene is made, and shown as an outline")
+        scene = make_scene()
+        view = simple.GetActiveViewOrCreate("RenderView")
+        display = simple.Show(scene, view)
+        begin("the representation is chosen, and drawn for the first time")
+        display.SetRepresentationType("ExaBricks")
+        simple.ColorBy(display, ("CELLS", "value"))
+        display.SetScalarBarVisibility(view, True)
+        simple.Render(view)
+        begin("the camera is reset, and a picture saved")
+        simple.ResetCamera(view)
+        shown = picture(view, "shown")
+        begin("a picture of the view without the volume is saved")
+        simple.Hide(scene, view)
+        hidden = picture(view, "hidden")
+        begin("the pictures are compared")
+        changed = float((abs(shown - hidden).max(axis=-1) > 0.02).mean())
+        assert changed > 0.05, f"the volume changes {changed} of the pixels"
+        assert "active" in statistics(display), statistics(display)
+        status = 0
+    except BaseException:
+        begin(traceback.format_exc())
+    os._exit(status)
+
+
+if "EXABRICKS_IN_WINDOW" in os.environ:
+    look()
+else:
+    watch()

@@ -4,7 +4,7 @@
 import socket
 import subprocess
 import sys
-import time
+import threading
 
 from Support import *
 
@@ -23,9 +23,20 @@ with socket.socket() as probe:
 environment = dict(os.environ)
 server = subprocess.Popen(
     [os.environ["EXABRICKS_PVSERVER"], f"--server-port={port}", "--force-offscreen-rendering"],
-    env=environment)
+    env=environment, stdout=subprocess.PIPE, text=True)
+accepts = threading.Event()
+
+
+def listen():
+    for line in server.stdout:
+        print("server:", line, end="", flush=True)
+        if "Accepting connection" in line:
+            accepts.set()
+
+
+threading.Thread(target=listen, daemon=True).start()
 try:
-    time.sleep(3)
+    assert accepts.wait(timeout=200.0), "waited 200 s for the server to accept connections"
     # The client has no device: what it shows must be the server's.
     os.environ["EXABRICKS_DEVICE"] = "abacus"
     simple.Connect("127.0.0.1", port)
