@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture through ParaView is that of the same view through plain VTK."""
 
-import os
-import subprocess
-
 from Support import *
 
 load_plugin()
@@ -15,11 +12,7 @@ display.OpacityUnitDistance = 8.0
 
 
 def plain_picture(name, width, height, reconstruction):
-    numbers = [CELLS, width, height, display.OpacityUnitDistance, reconstruction]
-    numbers += [*view.CameraPosition, *view.CameraFocalPoint, *view.CameraViewUp, view.CameraViewAngle]
-    command = [os.environ["EXABRICKS_PLAIN_PICTURE"], name + ".png", *(repr(number) for number in numbers)]
-    subprocess.run(command, check=True)
-    return read_picture(name + ".png")
+    return plain_vtk_picture(view, name, width, height, display.OpacityUnitDistance, reconstruction)
 
 
 for number, reconstruction in enumerate(("Basis", "Nearest", "Completed")):

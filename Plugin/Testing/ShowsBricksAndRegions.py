@@ -33,10 +33,25 @@ found = cells.GetDataInformation().GetBounds()
 expected = scene.GetDataInformation().GetBounds()
 assert max(abs(a - b) for a, b in zip(found, expected)) < 1e-6 * abs(expected[1] - expected[0]), (found, expected)
 simple.Hide(scene, view)
-cellsDisplay = simple.Show(cells, view)
-cellsDisplay.SetRepresentationType("Surface With Edges")
-simple.ColorBy(cellsDisplay, ("CELLS", "BrickCount"))
-assert drawn(picture(view, "regions")) > 0.1
+
+
+def surface(source, name):
+    """All of the data in one color, unlit."""
+    shown = simple.Show(source, view)
+    shown.SetRepresentationType("Surface")
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    pixels = picture(view, name)
+    simple.Hide(source, view)
+    return pixels
+
+
+filled = surface(scene, "data")
+assert 0.1 < drawn(filled) < 0.9, drawn(filled)
+expect_alike(surface(cells, "regions"), filled, 30.0, "the regions fill what the data fill")
+cells.Cells = "Bricks"
+expect_alike(surface(cells, "bricks"), filled, 30.0, "and so do the bricks")
 
 # Of an AMR with nothing in it there are none, and that is no fault.
 empty = make_empty()

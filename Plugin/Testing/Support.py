@@ -6,6 +6,7 @@ Each test is a script for pvpython, run in a folder of its own; the environment 
 
 import math
 import os
+import subprocess
 
 import numpy
 from paraview import simple
@@ -71,6 +72,15 @@ def look_at(source, view):
 def picture(view, name, **options):
     """Renders `view` into <name>.png; returns its pixels, rows from below, channels in [0, 1]."""
     simple.SaveScreenshot(name + ".png", view, **options)
+    return read_picture(name + ".png")
+
+
+def plain_vtk_picture(view, name, width, height, unit_distance, reconstruction=0):
+    """What PlainPicture.cxx draws of the same scene with the camera of `view`."""
+    numbers = [CELLS, width, height, unit_distance, reconstruction]
+    numbers += [*view.CameraPosition, *view.CameraFocalPoint, *view.CameraViewUp, view.CameraViewAngle]
+    command = [os.environ["EXABRICKS_PLAIN_PICTURE"], name + ".png", *(repr(number) for number in numbers)]
+    subprocess.run(command, check=True)
     return read_picture(name + ".png")
 
 
