@@ -9,10 +9,17 @@ The data: rt_medium/plt00216, sv_r24_many/plt00070 (AMReX) and Enzo/DD0010/movin
 import os
 import sys
 
-from paraview import simple
+from paraview import servermanager, simple
 
 plugin, data, output = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
+
+
+def apply_preset(color, name):
+    """ParaView before 6.1 has it as "<name> (matplotlib)"."""
+    presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
+    known = {presets.GetPresetName(i) for i in range(presets.GetNumberOfPresets())}
+    color.ApplyPreset(name if name in known else f"{name} (matplotlib)", True)
 
 
 class Case:
@@ -25,13 +32,13 @@ class Case:
 
 
 cases = [
-    Case("rt_medium", "rt_medium/plt00216", "magvort", "Inferno (matplotlib)",
+    Case("rt_medium", "rt_medium/plt00216", "magvort", "Inferno",
          [(0, 0), (2, 0), (4, 0.03), (6, 0.01), (9, 0.04), (12, 0.25), (19, 0.5)], 0.0052,
          (1.05, -1.15, 0.95), (0.25, 0.25, 0.47), 17.0),
-    Case("sv_r24_many", "sv_r24_many/plt00070", "phi", "Viridis (matplotlib)",
+    Case("sv_r24_many", "sv_r24_many/plt00070", "phi", "Viridis",
          [(1.0, 0), (1.05, 0), (1.07, 0.3), (1.1, 0.3), (1.12, 0), (1.6, 0), (1.65, 0.6), (1.95, 0.6)], 0.01,
          (1.6, -1.0, 1.4), (0.6, 0.3, 0.35), 26.0),
-    Case("enzo", "Enzo/DD0010/moving7_0010.hierarchy", "Density", "Inferno (matplotlib)",
+    Case("enzo", "Enzo/DD0010/moving7_0010.hierarchy", "Density", "Inferno",
          [(0.1, 0), (1, 0.002), (10, 0.01), (100, 0.05), (1000, 0.2), (1e4, 0.5), (2.5e5, 0.9)], 0.004,
          (1.05, 0.4, 0.95), (0.75, 0.75, 0.75), 20.0, True),
 ]
@@ -66,7 +73,7 @@ for case in cases:
     simple.ColorBy(display, ("CELLS", case.array))
     color = simple.GetColorTransferFunction(case.array)
     opacity = simple.GetOpacityTransferFunction(case.array)
-    color.ApplyPreset(case.preset, True)
+    apply_preset(color, case.preset)
     color.RescaleTransferFunction(case.opacity[0][0], case.opacity[-1][0])
     if case.logarithm:
         color.MapControlPointsToLogSpace()
