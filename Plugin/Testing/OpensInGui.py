@@ -25,8 +25,10 @@ def watch():
     if os.path.exists(PROGRESS):
         os.remove(PROGRESS)
     begin("ParaView starts, opens its window and runs the script")
-    environment = dict(os.environ, EXABRICKS_IN_WINDOW="1")
-    paraview = subprocess.Popen([os.environ["EXABRICKS_PARAVIEW"], "--script", os.path.abspath(__file__)], env=environment)
+    # Without settings, and so without the window that welcomes to a first start: a second after it, within whatever the
+    # script does then, that one waits for somebody to close it.
+    command = [os.environ["EXABRICKS_PARAVIEW"], "--dr", "--script", os.path.abspath(__file__)]
+    paraview = subprocess.Popen(command, env=dict(os.environ, EXABRICKS_IN_WINDOW="1"))
     seen, since = 0, time.monotonic()
     try:
         while True:
