@@ -4,6 +4,7 @@
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRInput.h"
 #include "Adapters/DataContents.h"
+#include "Core/Stopwatch.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,7 +17,6 @@
 #include "vtkPointDataToCellData.h"
 #include "vtkVersionMacros.h"
 
-#include <chrono>
 #include <exception>
 #include <new>
 #include <set>
@@ -25,11 +25,6 @@ vtkStandardNewMacro(vtkExaBricksBuilder);
 
 namespace
 {
-double secondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 // The names of the arrays that the block has, for messages.
 std::string listArrays(vtkDataSet* block)
 {
@@ -179,7 +174,7 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
   const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
   if (!keep)
   {
-    const auto start = std::chrono::steady_clock::now();
+    const exabricks::Stopwatch watch;
     this->Structure.reset();
     auto structure = std::make_shared<const exabricks::Structure>(
       exabricks::buildStructure(input.hierarchy, progress(0.0, 0.5)));
@@ -194,10 +189,10 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
         "drawn with their value.");
     }
     ++self->NumberOfStructureBuilds;
-    contents->StructureTime = secondsSince(start);
+    contents->StructureTime = watch.seconds();
     this->Structure = std::move(structure);
   }
-  const auto start = std::chrono::steady_clock::now();
+  const exabricks::Stopwatch watch;
   const exabricks::Structure& structure = *this->Structure;
   contents->Structure = this->Structure;
   contents->Origin = input.hierarchy.origin;
@@ -215,7 +210,7 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
   {
     return nullptr;
   }
-  contents->ScalarsTime = secondsSince(start);
+  contents->ScalarsTime = watch.seconds();
   return contents;
 }
 

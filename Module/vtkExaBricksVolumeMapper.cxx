@@ -90,6 +90,14 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     this->SaidFault = fault;
   }
 
+  // Gives back what was held of the former volume.
+  void DropVolume()
+  {
+    this->Renderer.setVolume({});
+    this->Contents.reset();
+    this->Completed.reset();
+  }
+
   // Null: there is nothing to draw.
   std::shared_ptr<const vtkExaBricksData::Contents> GetContents()
   {
@@ -122,9 +130,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
     // Nothing of the former input is kept.
     this->Builder->RemoveAllInputConnections(0);
     this->Builder->GetOutputDataObject(0)->Initialize();
-    this->Renderer.setVolume({});
-    this->Contents.reset();
-    this->Completed.reset();
+    this->DropVolume();
     return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
   }
   vtkExaBricksBuilder* builder = this->Builder;
@@ -476,9 +482,14 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   this->Update();
-  if (!internals.GetContents() || ren->GetRenderWindow()->CheckAbortStatus())
+  if (!internals.GetContents())
   {
+    internals.DropVolume();
     return; // the builder has said why, or was told to stop
+  }
+  if (ren->GetRenderWindow()->CheckAbortStatus())
+  {
+    return;
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();

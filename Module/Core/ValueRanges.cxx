@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ValueRanges.h"
 
-#include "Core/FirstException.h"
-
 namespace exabricks
 {
 namespace
@@ -103,13 +101,15 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
   }
   ranges.grids.shrink_to_fit();
   ranges.macrocells.resize(count);
-  const auto findOfRegion = [&](std::size_t r)
+  // Nothing in it throws.
+#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
+  for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
   {
     const layout::Region& region = tree.regions[r];
     if (gridOf[r] < 0)
     {
       ranges.regions[r] = finder.find(region, region.lo, region.hi);
-      return;
+      continue;
     }
     const MacrocellGrid& grid = ranges.grids[gridOf[r]];
     const glm::ivec3 n = grid.count(region);
@@ -126,14 +126,7 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
         }
       }
     }
-  };
-  FirstException failure;
-#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
-  for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
-  {
-    failure.guard([&] { findOfRegion(static_cast<std::size_t>(r)); });
   }
-  failure.rethrow();
   return ranges;
 }
 }

@@ -2,12 +2,12 @@
 #include "Vulkan/VolumeRenderer.h"
 
 #include "Core/Coarsening.h"
+#include "Core/Stopwatch.h"
 #include "Core/TransferTable.h"
 #include "Vulkan/DeviceVolume.h"
 #include "Vulkan/KnownEffort.h"
 #include "Vulkan/MarchPass.h"
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -15,18 +15,6 @@ namespace exabricks
 {
 namespace
 {
-class Stopwatch
-{
-public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-};
-
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
 // show anything. Where still few do, they cost little: they get steps that are short enough for
 // all.
