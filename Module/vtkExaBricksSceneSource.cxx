@@ -202,6 +202,7 @@ void vtkExaBricksSceneSource::InitializeProperty(vtkVolumeProperty* property)
   }
   exabricks::writeTransfer(made.transfer, made.range, property);
   property->SetScalarOpacityUnitDistance(made.opacityUnitDistance);
+  property->SetInterpolationTypeToLinear();
 }
 
 void vtkExaBricksSceneSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -106,8 +106,9 @@ public:
   ///@{
   /**
    * Set the scene's own view. The camera's clipping range is left to the renderer. The opacity unit
-   * distance is a world length, and transfer functions are in units of the cell array. They depend
-   * on the scene and its number of cells, and bring the source up to date.
+   * distance is a length in the data's coordinates, transfer functions are in units of the cell
+   * array, interpolation is linear. They depend on the scene and its number of cells, and bring the
+   * source up to date.
    */
   void InitializeCamera(vtkCamera* camera);
   void InitializeProperty(vtkVolumeProperty* property);
