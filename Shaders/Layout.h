@@ -108,8 +108,8 @@ struct Frame
 {
   dmat4 ndcToHalfCells; // normalised device coordinates to half cells
   dmat4 ndcToData;      // normalised device coordinates to the data's own
-  ivec3 size; // of the bounds, half cells
-  uint width; // pixels
+  ivec3 size;           // of the bounds, half cells
+  uint width;           // pixels
   uint height;
   float stepScale;          // of the boxes' steps
   float veiled;             // steps grow with transmittance to the power of minus this
@@ -124,11 +124,11 @@ struct Frame
   uint64_t activeBoxes; // ActiveBox[]: of the acceleration structure
   uint64_t transferBins;
   uint64_t transferKnots;
-  uint64_t depth;   // float[height][width], window depth in [0, 1] at which rays end
+  uint64_t depth;     // float[height][width], window depth in [0, 1] at which rays end
   uint64_t nearDepth; // the same, at which they begin
-  uint64_t picture; // vec4[height][width], premultiplied, row 0 at the bottom
-  uint64_t scene;   // acceleration structure
-  uint64_t extra;   // uint[]: a MarchProgram's own data
+  uint64_t picture;   // vec4[height][width], premultiplied, row 0 at the bottom
+  uint64_t scene;     // acceleration structure
+  uint64_t extra;     // uint[]: a MarchProgram's own data
 };
 
 // What one dispatch marches: some rows of a picture.

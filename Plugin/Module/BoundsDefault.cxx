@@ -9,16 +9,13 @@
 
 namespace exabricks
 {
-
 namespace
 {
-
 // States and panels write fewer digits.
 bool isAlike(double found, double expected)
 {
   return std::abs(found - expected) <= 1e-6 * std::abs(expected);
 }
-
 }
 
 void BoundsDefault::update(vtkSMProperty* property)
@@ -38,15 +35,14 @@ void BoundsDefault::update(vtkSMProperty* property)
   }
   const double present = values->GetElement(0);
   const double wanted = scratch->GetElement(0);
-  if (!this->known_ || present != this->found_)
+  if (!this->Known || present != this->Found)
   {
     // It may have been set back to the default of the data before these.
-    this->kept_ = isAlike(present, wanted) || (this->known_ && isAlike(present, this->default_));
+    this->Kept = isAlike(present, wanted) || (this->Known && isAlike(present, this->Default));
   }
-  this->changed_ = this->known_ && wanted != this->default_;
-  this->known_ = true;
-  this->found_ = present;
-  this->default_ = wanted;
+  this->Changed = this->Known && wanted != this->Default;
+  this->Known = true;
+  this->Found = present;
+  this->Default = wanted;
 }
-
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef ExaBricksPluginBoundsDefault_h
+#define ExaBricksPluginBoundsDefault_h
 
 class vtkSMProperty;
 
 namespace exabricks
 {
-
 // Tells whether a property with a vtkSMBoundsDomain has the value that ParaView gave it, or one
 // that somebody chose. ParaView sets such a default when the representation is made, from the data
 // as they are then, and leaves it.
@@ -16,20 +16,21 @@ public:
   void update(vtkSMProperty* property);
 
   // Nobody has chosen a value; at least none that differs from the default.
-  bool isKept() const { return this->kept_; }
+  bool isKept() const { return this->Kept; }
 
   // For the data that are read now.
-  double value() const { return this->default_; }
+  double value() const { return this->Default; }
 
   // The default was that of other data before the last update().
-  bool hasChanged() const { return this->changed_; }
+  bool hasChanged() const { return this->Changed; }
 
 private:
-  bool kept_ = true;
-  bool changed_ = false;
-  bool known_ = false; // updated once
-  double found_ = 0.0; // the property's value at the last update
-  double default_ = 0.0;
+  bool Kept = true;
+  bool Changed = false;
+  bool Known = false; // updated once
+  double Found = 0.0; // the property's value at the last update
+  double Default = 0.0;
 };
-
 }
+
+#endif

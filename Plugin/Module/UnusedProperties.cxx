@@ -10,10 +10,8 @@
 
 namespace exabricks
 {
-
 namespace
 {
-
 // What is drawn differs if one of these is set, in surfaces or in ParaView's own volume rendering.
 // Not all versions of ParaView have all of them.
 const struct
@@ -54,7 +52,6 @@ void hide(vtkSMProperty* property)
   hints->AddNestedElement(decorator);
   property->SetHints(hints);
 }
-
 }
 
 void hideUnusedProperties(vtkSMProxy* representation, vtkSMProxy* drawing)
@@ -90,5 +87,4 @@ std::string describeUnusedSettings(vtkSMProxy* representation)
   }
   return text;
 }
-
 }

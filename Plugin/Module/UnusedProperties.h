@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#ifndef ExaBricksPluginUnusedProperties_h
+#define ExaBricksPluginUnusedProperties_h
 
 #include <string>
 
@@ -9,7 +10,6 @@ class vtkSMProxy;
 // rendering for every type of representation, and only few of them mean anything to ExaBricks.
 namespace exabricks
 {
-
 // Hides, while `representation` is of the type ExaBricks, what `drawing`, its sub-proxy that draws
 // that type, does not share with the others. Before a panel is made.
 void hideUnusedProperties(vtkSMProxy* representation, vtkSMProxy* drawing);
@@ -17,5 +17,6 @@ void hideUnusedProperties(vtkSMProxy* representation, vtkSMProxy* drawing);
 // Names the properties that somebody has set, who will expect that they matter, and tells what
 // helps in place of each. Empty if there are none.
 std::string describeUnusedSettings(vtkSMProxy* representation);
-
 }
+
+#endif

@@ -66,9 +66,8 @@ found = {}
 covers = {}
 for name, (depth, radius) in cases.items():
     place(depth, radius)
-    if not second_run:
-        covers[name] = masks("bare" + name)
-    ballDisplay.Opacity = 0.5
+    # In both runs, as the near plane, and with it the precision of depth, depends on the picture before.
+    covers[name] = masks("bare" + name + "Second" * second_run)
     found[name] = picture(view, name + "Second" * second_run)
 if second_run:
     # pvpython may end with errors of its own.

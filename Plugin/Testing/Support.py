@@ -31,6 +31,7 @@ def make_scene():
 def make_view(width=240, height=180):
     view = simple.CreateView("RenderView")
     view.ViewSize = [width, height]
+    view.UseFXAA = 0  # VTK smooths volumes with it where depth is peeled, and leaves them otherwise
     darken(view)
     simple.SetActiveView(view)
     return view

@@ -204,8 +204,7 @@ reference::Image Subject::draw(
   vtkNew<vtkVolumeProperty> property;
   setProperty(this->Given, property);
 
-  View view = makeView(
-    scene, volume, *this->Contents, this->Given.width, this->Given.height);
+  View view = makeView(scene, volume, *this->Contents, this->Given.width, this->Given.height);
   view.reconstruction = reconstruction;
   view.stepScale = this->Given.stepScale;
   view.opacityUnitDistance = this->Given.unitDistance / this->Given.scale;
