@@ -101,6 +101,24 @@ public:
     return most * OneStep;
   }
 
+  /// Peak signal-to-noise ratio over the pixels that are not black in both.
+  double Decibel(const Picture& other) const
+  {
+    double squares = 0.0;
+    int drawn = 0;
+    for (std::size_t i = 0; i < this->Bytes.size(); i += 3)
+    {
+      int most = 0;
+      for (std::size_t c = i; c < i + 3; ++c)
+      {
+        most = std::max<int>({ most, this->Bytes[c], other.Bytes[c] });
+        squares += std::pow((int(this->Bytes[c]) - int(other.Bytes[c])) * OneStep, 2) / 3.0;
+      }
+      drawn += most > 0;
+    }
+    return -10.0 * std::log10(squares / drawn);
+  }
+
 private:
   int Width = 0;
   int Height = 0;

@@ -57,6 +57,10 @@ void checkPicture(test::Checks& checks, int scene)
   source->InitializeCamera(stage.renderer->GetActiveCamera());
   stage.renderer->ResetCameraClippingRange();
   const test::Picture picture(stage.window);
+  // Two ways to find the same regions: garbage would not agree.
+  stage.mapper->SetTraversalToRayQuery();
+  const double likeness = picture.Decibel(test::Picture(stage.window));
+  checks.Expect(likeness >= 50.0, name + " by ray query: " + std::to_string(likeness) + " dB");
   const double brightness = picture.Mean()[0] + picture.Mean()[1] + picture.Mean()[2];
   checks.Expect(picture.Coverage() > 0.1, name + " covers more than a tenth of the picture");
   checks.Expect(brightness > 0.03, name + " is not dark");

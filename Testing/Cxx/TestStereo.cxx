@@ -89,28 +89,6 @@ double differing(const test::Picture& a, const test::Picture& b)
   }
   return static_cast<double>(count) / (a.GetWidth() * a.GetHeight());
 }
-
-double decibel(const test::Picture& a, const test::Picture& b)
-{
-  double sum = 0.0;
-  int drawn = 0;
-  for (int y = 0; y < a.GetHeight(); ++y)
-  {
-    for (int x = 0; x < a.GetWidth(); ++x)
-    {
-      double most = 0.0;
-      double squares = 0.0;
-      for (int c = 0; c < 3; ++c)
-      {
-        most = std::max({ most, a.At(x, y)[c], b.At(x, y)[c] });
-        squares += std::pow(a.At(x, y)[c] - b.At(x, y)[c], 2) / 3.0;
-      }
-      drawn += most > 0.0;
-      sum += squares;
-    }
-  }
-  return -10.0 * std::log10(sum / drawn);
-}
 }
 
 int TestStereo(int, char*[])
@@ -133,7 +111,7 @@ int TestStereo(int, char*[])
     checks.Expect(off <= 0.004, "beside the solid, " + what + ": " + std::to_string(off));
     test::setConstantColor(stage.Property(), 0.3, { 0.2, 0.9, 0.4 });
     stage.Property()->SetScalarOpacityUnitDistance(4.0);
-    const double likeness = decibel(test::Picture(stage.window), cubes.DrawPeer());
+    const double likeness = test::Picture(stage.window).Decibel(cubes.DrawPeer());
     checks.Expect(likeness >= 35.0,
       "beside the fixed-point mapper, " + what + ": " + std::to_string(likeness) + " dB");
     std::cout << what << ": " << 100.0 * off << " % of the pixels differ from the solid's, "
