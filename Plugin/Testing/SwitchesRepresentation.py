@@ -35,6 +35,12 @@ setattr(display, position, [0.0, 0.0, 0.0])
 look_at(scene, view)
 display.Scale = [1.0, 1.0, 0.2]
 expect_different(picture(view, "flat"), first, 30.0, "flattened")
+# Twice as large, and seen from twice as far: the unit distance is one of the data's own coordinates.
+display.Scale = [2.0, 2.0, 2.0]
+near = view.CameraPosition[:], view.CameraFocalPoint[:]
+view.CameraPosition, view.CameraFocalPoint = ([2.0 * x for x in place] for place in near)
+expect_alike(picture(view, "double"), first, 60.0, "twice as large")
+view.CameraPosition, view.CameraFocalPoint = near
 display.Scale = [1.0, 1.0, 1.0]
 display.UserTransform = [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]
 expect_different(picture(view, "half"), first, 30.0, "half the size")
