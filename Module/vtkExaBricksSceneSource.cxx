@@ -160,7 +160,7 @@ int vtkExaBricksSceneSource::RequestData(
       this->Internals->SaidNoMemory = true;
       vtkErrorMacro("Out of memory on the host: expected memory for "
         << this->NumberOfLeafCells << " leaf cells, which are at least "
-        << 5 * this->NumberOfLeafCells
+        << 5.0 * static_cast<double>(this->NumberOfLeafCells)
         << " bytes for values and ghost marks alone. Set a smaller NumberOfLeafCells.");
     }
   }

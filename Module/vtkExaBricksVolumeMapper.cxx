@@ -233,9 +233,10 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMa
   {
     // Nodes are normalised to the range of the data, so new data want new tables too.
     this->Property = property;
-    this->PropertyTime = property->GetMTime();
     this->Renderer.setTransferFunction(
       exabricks::makeTransferFunction(property, contents->Scalars.range));
+    // Now, as discretised functions make tables when they are asked, and are modified by that.
+    this->PropertyTime = property->GetMTime();
   }
 }
 
@@ -465,13 +466,12 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::Draw(vtkExaBricksVolumeMappe
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
-  vtkVolumeProperty* property = vol->GetProperty();
   if (ren->GetSelector())
   {
     return; // blended colours would be taken for ids
   }
   internals.Drawn.set(ren, false);
-  const exabricks::Requests requests = exabricks::checkRequests(this, property);
+  const exabricks::Requests requests = exabricks::checkRequests(this, vol);
   for (const std::string& what : requests.drawnWithout)
   {
     internals.WarnOnce(this, what);
@@ -494,6 +494,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
   // An observer may have changed what there is to draw.
+  const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
   if (const auto contents = internals.GetContents())
   {
     std::string fault = internals.CheckRequests(this, property, contents->Components);

@@ -36,11 +36,14 @@ bool XServerAnswers()
 }
 
 // Before 9.4 VTK aborts the program after an error of the window, such as an X server without GLX.
-void ThrowError(vtkObject*, unsigned long, void*, void* message)
+void ThrowError(vtkObject* window, unsigned long, void*, void* message)
 {
+  const std::string text = TextOf(static_cast<const char*>(message));
+  const bool onXServer = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
   throw Failure(ExitCode::RenderingFailed,
-    "VTK cannot draw with this X server: " + TextOf(static_cast<const char*>(message)) +
-      ". Use one that has GLX, or xvfb-run, as in xvfb-run -a exabricks-render ...");
+    onXServer ? "VTK cannot draw with this X server: " + text +
+        ". Use one that has GLX, or xvfb-run, as in xvfb-run -a exabricks-render ..."
+              : "VTK cannot draw: " + text);
 }
 
 }

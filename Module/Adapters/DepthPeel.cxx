@@ -59,16 +59,14 @@ void allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow*
   }
 }
 
-// From the first colour buffer that is bound for reading.
-void readPieces(const Viewport& viewport, RayPieces& pieces)
+using Depths = std::vector<std::array<float, 2>>; // where the piece of each ray begins and ends
+
+void setPieces(const Depths& depths, RayPieces& pieces)
 {
-  const std::size_t pixels = static_cast<std::size_t>(viewport.width) * viewport.height;
-  std::vector<std::array<float, 2>> depths(pixels);
-  glReadPixels(0, 0, viewport.width, viewport.height, GL_RG, GL_FLOAT, depths.data());
-  pieces.begin.resize(pixels);
-  pieces.end.resize(pixels);
+  pieces.begin.resize(depths.size());
+  pieces.end.resize(depths.size());
   pieces.any = false;
-  for (std::size_t i = 0; i < pixels; ++i)
+  for (std::size_t i = 0; i < depths.size(); ++i)
   {
     pieces.begin[i] = std::clamp(depths[i][0], 0.0f, 1.0f);
     pieces.end[i] = std::clamp(depths[i][1], 0.0f, 1.0f);
@@ -120,7 +118,9 @@ bool DepthPeel::readPieces(
 {
   vtkOpenGLState* state = window->GetState();
   const OpenGLStateKeeper keeper(state);
-  if (window != this->Window)
+  keeper.ignoreMasks();
+  // Without the mapper's knowledge a window may give back all that is made for it.
+  if (window != this->Window || (this->Nothing && this->Nothing->GetHandle() == 0))
   {
     this->release(window);
     this->Window = window;
@@ -141,6 +141,8 @@ bool DepthPeel::readPieces(
     this->Nothing->Create2DFromRaw(1, 1, 4, VTK_UNSIGNED_CHAR, black.data());
   }
 
+  const std::size_t pixels = static_cast<std::size_t>(viewport.width) * viewport.height;
+  std::array<Depths, 2> depths{ Depths(pixels), Depths(pixels) };
   GLuint framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -169,13 +171,16 @@ bool DepthPeel::readPieces(
       1.0f / static_cast<float>(viewport.height) };
     program->SetUniform2f("in_inverseWindowSize", inverse);
     shader->Render();
-    glReadBuffer(buffers[0]);
-    exabricks::readPieces(viewport, back);
-    glReadBuffer(buffers[1]);
-    exabricks::readPieces(viewport, front);
+    for (int i = 0; i < 2; ++i)
+    {
+      glReadBuffer(buffers[i]);
+      glReadPixels(0, 0, viewport.width, viewport.height, GL_RG, GL_FLOAT, depths[i].data());
+    }
     this->Nothing->Deactivate();
   }
   glDeleteFramebuffers(1, &framebuffer);
+  setPieces(depths[0], back);
+  setPieces(depths[1], front);
   return complete;
 }
 

@@ -3,7 +3,7 @@
 // geometry, and once between each two layers of it. The pass holds, in textures, between which
 // depths each ray of a volume is to be drawn, and tells by code for a volume mapper's shader, in
 // which it calls castRay(begin, end) for them. That code runs here, in a shader whose castRay
-// returns its arguments: so what VTK means is read, and not known, and is the same in all versions.
+// returns its arguments. So this class need not know by which rules a version of VTK finds them.
 #ifndef ExaBricksAdaptersDepthPeel_h
 #define ExaBricksAdaptersDepthPeel_h
 

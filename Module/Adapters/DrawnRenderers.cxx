@@ -3,6 +3,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkRenderer.h"
+#include "vtkRendererDelegate.h"
 
 #include <algorithm>
 
@@ -35,8 +36,14 @@ void DrawnRenderers::set(vtkRenderer* ren, bool drawn)
 
 bool DrawnRenderers::any() const
 {
-  return std::any_of(
-    this->Drawn.begin(), this->Drawn.end(), [](const auto& entry) { return entry.second; });
+  // A renderer that does not draw, or has another one draw in its place, has no events.
+  return std::any_of(this->Drawn.begin(), this->Drawn.end(),
+    [](const auto& entry)
+    {
+      vtkRenderer* ren = entry.first;
+      const bool delegates = ren->GetDelegate() && ren->GetDelegate()->GetUsed();
+      return entry.second && ren->GetDraw() && !delegates;
+    });
 }
 
 void DrawnRenderers::OnEvent(vtkObject* caller, unsigned long event, void* self, void*)

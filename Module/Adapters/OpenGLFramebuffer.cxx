@@ -11,10 +11,11 @@ namespace exabricks
 {
 namespace
 {
+// Whether there was no error since it was asked last. A lost context may have one for ever.
 bool noError()
 {
   bool none = true;
-  while (glGetError() != GL_NO_ERROR)
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
     none = false;
   }
@@ -39,6 +40,9 @@ bool readSamples(const Viewport& viewport, std::vector<float>& depth)
   glGetIntegerv(GL_RENDERBUFFER_BINDING, &boundStorage);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &from);
   glBindRenderbuffer(GL_RENDERBUFFER, storage);
+  const GLenum noColors = GL_NONE;
+  const GLfloat farthest = 1.0f;
+  glDepthMask(GL_TRUE);
   bool done = false;
   for (const GLenum format : { GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F,
          GL_DEPTH32F_STENCIL8, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32 })
@@ -46,12 +50,16 @@ bool readSamples(const Viewport& viewport, std::vector<float>& depth)
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single);
     glRenderbufferStorage(GL_RENDERBUFFER, format, viewport.width, viewport.height);
     glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, storage);
+    glDrawBuffers(1, &noColors);
+    // Where there is no depth to copy, OpenGL copies nothing, without an error.
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
     glBlitFramebuffer(viewport.x, viewport.y, viewport.x + viewport.width,
       viewport.y + viewport.height, 0, 0, viewport.width, viewport.height, GL_DEPTH_BUFFER_BIT,
       GL_NEAREST);
     if (noError())
     {
       glBindFramebuffer(GL_READ_FRAMEBUFFER, single);
+      glReadBuffer(GL_NONE);
       readPixels(0, 0, viewport, depth);
       glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
       done = noError();
@@ -77,6 +85,7 @@ OpaqueDepth readDepth(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, std::vector<float>& depth)
 {
   const OpenGLStateKeeper keeper(window->GetState());
+  keeper.ignoreMasks();
   noError(); // of others before
   depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
   GLint samples = 0;

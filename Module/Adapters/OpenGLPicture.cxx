@@ -22,10 +22,11 @@ void main()
 }
 )";
 
-// A peel has two targets: colours behind what is peeled, and those before it, which have gathered
-// what the uniform lastFrontColorTex holds (VTK's name, as its pass sets it). The second is written
-// so that blending "over" makes of it what is gathered, with this picture under it, whatever other
-// volumes have drawn there since: of last + (1 - last.a) f, the part that blending does not add.
+// A peel has two targets: colours behind what is peeled, and those before it. The second holds what
+// the layers before have gathered, `last` (lastFrontColorTex, by VTK's name), and is to hold
+// last + (1 - last.a) f with this picture f under them. It is blended "over", src + (1 - src.a)
+// dst, with src = (f.a last.rgb + (1 - last.a) f.rgb, f.a): on dst = last that gives the sum, and
+// on what another volume, farther away, has made of it already, the sum with both in their order.
 constexpr const char* PeelShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 texCoord;
@@ -51,6 +52,14 @@ void main()
 }
 )";
 
+// A lost context may have errors for ever.
+void clearErrors()
+{
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
 void prepare(
   std::unique_ptr<vtkOpenGLQuadHelper>& helper, vtkOpenGLRenderWindow* window, const char* shader)
 {
@@ -70,7 +79,8 @@ OpenGLPicture::~OpenGLPicture() = default;
 
 void OpenGLPicture::SetWindow(vtkOpenGLRenderWindow* window)
 {
-  if (window != this->Window)
+  // Without the mapper's knowledge a window may give back all that is made for it.
+  if (window != this->Window || (this->Back && this->Back->GetHandle() == 0))
   {
     this->release(window);
     this->Window = window;
@@ -84,8 +94,16 @@ bool OpenGLPicture::Upload(Texture& texture, const Viewport& viewport, Pixels& p
     texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(this->Window);
   }
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (viewport.width > largest || viewport.height > largest)
+  {
+    return false;
+  }
+  clearErrors();
   return texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
-    static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data());
+           static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data()) &&
+    glGetError() == GL_NO_ERROR;
 }
 
 bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture)

@@ -32,7 +32,7 @@ OpenGLStateKeeper::OpenGLStateKeeper(vtkOpenGLState* state)
   glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->UnpackBuffer);
 
   state->PushFramebufferBindings();
-  for (const GLenum which : Switches)
+  for (const GLenum which : { GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE })
   {
     this->Switch(which, false);
   }
@@ -76,6 +76,12 @@ void OpenGLStateKeeper::blendOver() const
   this->Switch(GL_BLEND, true);
   this->SetBlending(
     GL_FUNC_ADD, GL_FUNC_ADD, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void OpenGLStateKeeper::ignoreMasks() const
+{
+  this->Switch(GL_SCISSOR_TEST, false);
+  this->Switch(GL_STENCIL_TEST, false);
 }
 
 // VTK makes no call where its record says that nothing changes: the calls to OpenGL are for where

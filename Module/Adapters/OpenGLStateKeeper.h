@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaves the state of OpenGL that drawing and reading change as it was found, and sets it to what
-// both begin with: nothing is tested, culled or blended, and pixels are rows of memory. It asks
-// OpenGL itself, and not VTK's record of the state, which does not know of calls around VTK; what
-// it sets, it tells both.
+// both begin with: no depth is tested or written, nothing is culled or blended, and pixels are rows
+// of memory. It asks OpenGL itself, and not VTK's record of the state, which does not know of calls
+// around VTK; what it sets, it tells both.
 #ifndef ExaBricksAdaptersOpenGLStateKeeper_h
 #define ExaBricksAdaptersOpenGLStateKeeper_h
 
@@ -24,6 +24,8 @@ public:
 
   /// Sets blending to "over", of premultiplied colours.
   void blendOver() const;
+  /// For framebuffers of one's own: the scissor rectangle and the stencil concern VTK's alone.
+  void ignoreMasks() const;
 
 private:
   void Switch(GLenum which, bool on) const;

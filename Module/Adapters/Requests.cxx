@@ -3,6 +3,8 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkShaderProperty.h"
+#include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -28,8 +30,9 @@ bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
 }
 }
 
-Requests checkRequests(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+Requests checkRequests(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
+  vtkVolumeProperty* property = volume->GetProperty();
   static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
     "average intensity", "additive", "iso-surface", "slice" };
   Requests requests;
@@ -56,6 +59,12 @@ Requests checkRequests(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
   {
     without(
       "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
+  }
+  if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
+  {
+    without(
+      "Replacements in VTK's shaders (vtkShaderProperty) are not supported yet: the volume is "
+      "drawn without them.");
   }
   if (mapper->GetCropping())
   {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+class vtkVolume;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
 
@@ -18,7 +19,7 @@ struct Requests
 };
 
 /// What can be told without data.
-Requests checkRequests(vtkVolumeMapper* mapper, vtkVolumeProperty* property);
+Requests checkRequests(vtkVolumeMapper* mapper, vtkVolume* volume);
 
 /// Of an array of so many components. `chosen`: somebody chose one of them, or their magnitude.
 Requests checkComponents(vtkVolumeProperty* property, int components, bool chosen);

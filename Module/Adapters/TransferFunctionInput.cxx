@@ -158,8 +158,8 @@ TransferFunction sampleAtBends(
       points.push_back({ value, color });
     }
   };
-  // By more than the slope beyond, which shows in a single unit in the last place where the range
-  // has few of them.
+  // By more than the slope on that side explains: where the range has few floats, a slope alone
+  // changes the color from one to the next.
   const auto jumps = [](const glm::dvec4& at, const glm::dvec4& beside, const glm::dvec4& beyond)
   {
     const glm::dvec4 change = glm::abs(beside - at) - 2.0 * glm::abs(beyond - beside);
@@ -207,7 +207,7 @@ TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& 
   vtkNew<vtkColorTransferFunction> ofValues;
   if (colors->GetIndexedLookup())
   {
-    // Of categories VTK tells the colors of the listed values alone.
+    // A function of categories has colors for the listed values alone.
     ofValues->DeepCopy(colors);
     ofValues->IndexedLookupOff();
     colors = ofValues;

@@ -42,7 +42,7 @@ glm::dmat4 findProjection(vtkRenderer* ren)
   return projection * toGLM(camera->GetModelViewTransformMatrix());
 }
 
-// The same from between the eyes: VTK means it for picking.
+// The same without stereo, as seen from between the eyes.
 glm::dmat4 findCentralProjection(vtkRenderer* ren)
 {
   return toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(

@@ -27,12 +27,14 @@ struct KnownEffort
 
   bool is(const View& other) const
   {
+    const double allowed = other.whole ? 1e-9 : 0.0; // of the greatest element
     return this->view.errorTolerance == other.errorTolerance && this->view.width == other.width &&
       this->view.height == other.height && this->view.reconstruction == other.reconstruction &&
       this->view.levelsLeftOut == other.levelsLeftOut &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
-      alike(this->view.ndcToHalfCells, other.ndcToHalfCells) &&
-      alike(this->view.ndcToData, other.ndcToData) && this->depth.empty() == !other.depth &&
+      alike(this->view.ndcToHalfCells, other.ndcToHalfCells, allowed) &&
+      alike(this->view.ndcToData, other.ndcToData, allowed) &&
+      this->depth.empty() == !other.depth &&
       (!other.depth || std::equal(this->depth.begin(), this->depth.end(), other.depth));
   }
 
@@ -41,7 +43,7 @@ struct KnownEffort
   Effort effort;
 
 private:
-  static bool alike(const glm::dmat4& a, const glm::dmat4& b)
+  static bool alike(const glm::dmat4& a, const glm::dmat4& b, double allowed)
   {
     double most = 0.0;
     double off = 0.0;
@@ -52,7 +54,7 @@ private:
       most = std::max({ most, size.x, size.y, size.z, size.w });
       off = std::max({ off, difference.x, difference.y, difference.z, difference.w });
     }
-    return off <= 1e-9 * most;
+    return off <= allowed * most;
   }
 };
 }

@@ -55,8 +55,8 @@ struct VolumeRenderer::Internals
     Details;                 // the subject, and then one level less each; none: there is no subject
   bool CoarsestMade = false; // and there are no more levels to leave out
 
-  // What is on the device, beside the details' own. Rebuilt from the above when the device was
-  // lost.
+  // What is on the device, beside what each Detail has there. Rebuilt from the above when the
+  // device was lost.
   std::shared_ptr<vulkan::Device> Device;
   vulkan::Buffer Bins;
   vulkan::Buffer Knots;
@@ -240,6 +240,9 @@ struct VolumeRenderer::Internals
     catch (const vulkan::Failure&)
     {
     }
+    catch (const vk::OutOfDeviceMemoryError&)
+    {
+    }
     this->DropCoarser(levelsLeftOut);
     this->CoarsestMade = true;
     return nullptr;
@@ -399,7 +402,7 @@ struct VolumeRenderer::Internals
       view.terminationOpacity = std::max(1.0 - 0.25 * view.errorTolerance, 0.5);
     }
     Effort effort;
-    if (weighted && !this->Program) // what that draws may be no picture
+    if (weighted && !this->Program) // another program's output need not be a picture
     {
       effort = this->FindEffort(view);
     }

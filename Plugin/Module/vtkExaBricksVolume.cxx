@@ -28,21 +28,28 @@ int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)
   {
     return 0; // a volume of blended colours has no ids
   }
-  int rendered = 0;
-  bool drawn = false;
-  if (!this->OutlineOnly)
-  {
-    rendered = this->Superclass::RenderVolumetricGeometry(viewport);
-    auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(this->GetMapper());
-    drawn = !mapper || mapper->GetDrawn() || ren->GetRenderWindow()->CheckAbortStatus();
-  }
-  if (!drawn)
-  {
-    this->Outline->SetUserMatrix(this->GetMatrix());
-    rendered = this->Outline->RenderOpaqueGeometry(viewport);
-  }
+  const int rendered = this->OutlineOnly ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
   this->InvokeEvent(vtkCommand::EndEvent);
   return rendered;
+}
+
+int vtkExaBricksVolume::RenderOverlay(vtkViewport* viewport)
+{
+  // Not with the volume, which VTK may render while it peels depth: lines have no place there.
+  vtkRenderer* ren = vtkRenderer::SafeDownCast(viewport);
+  if (!ren || ren->GetSelector())
+  {
+    return 0;
+  }
+  auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(this->GetMapper());
+  const bool drawn = !this->OutlineOnly &&
+    (!mapper || mapper->GetDrawn() || ren->GetRenderWindow()->CheckAbortStatus());
+  if (drawn)
+  {
+    return 0;
+  }
+  this->Outline->SetUserMatrix(this->GetMatrix());
+  return this->Outline->RenderOpaqueGeometry(viewport);
 }
 
 void vtkExaBricksVolume::ReleaseGraphicsResources(vtkWindow* window)

@@ -40,6 +40,8 @@ public:
 
   /// Fires vtkCommand::EndEvent when it is done.
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  /// Draws the outline, if the volume was not drawn.
+  int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -47,6 +47,14 @@ expect_outline("noDevice")
 expect_outline("noDeviceAgain")
 expect_said("abacus")
 assert "nothing drawn" in statistics(display), statistics(display)
+# The same where depth is peeled: translucent and black, the ball does not show.
+ball = simple.Sphere(Center=view.CameraFocalPoint, Radius=0.02 * (bounds[1] - bounds[0]))
+ballDisplay = simple.Show(ball, view)
+ballDisplay.ColorArrayName = ["POINTS", ""]
+ballDisplay.AmbientColor = ballDisplay.DiffuseColor = [0.0, 0.0, 0.0]
+ballDisplay.Specular, ballDisplay.Opacity = 0.0, 0.5
+expect_outline("noDevicePeeled")
+simple.Delete(ball)
 display.VulkanDevice = ""
 expect_alike(picture(view, "device"), first, 60.0, "with a device")
 assert not said, said

@@ -87,7 +87,7 @@ inline vtkSmartPointer<vtkOverlappingAMR> makeNullBlocks(
     std::array<int, 3> last;
     for (int axis = 0; axis < 3; ++axis)
     {
-      last[axis] = block.first[axis] + block.cells[axis] - 1;
+      last[axis] = block.first[axis] + (block.cells[axis] - 1);
     }
     const vtkAMRBox box(block.first.data(), last.data());
     amr->SetAMRBox(block.level, next[block.level]++, box);

@@ -130,6 +130,10 @@ int TestMapperInterface(int, char*[])
   stage.volume->VisibilityOn();
   test::Picture(stage.window);
   checks.Expect(mapper->GetDrawn(), "drawn: visible again");
+  stage.renderer->DrawOff();
+  checks.Expect(!mapper->GetDrawn(), "not drawn: its renderer does not draw");
+  stage.renderer->DrawOn();
+  test::Picture(stage.window);
   vtkCamera* camera = stage.renderer->GetActiveCamera();
   camera->Yaw(180.0);
   checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "out of sight");

@@ -53,7 +53,9 @@ std::vector<GLint> recordState()
   return state;
 }
 
-// A framebuffer of one's own, cleared to black and a depth.
+const GLenum NoDepth = GL_NONE;
+
+// A framebuffer of one's own, cleared to black and a depth, if it has one.
 struct Target
 {
   GLuint framebuffer = 0;
@@ -66,7 +68,7 @@ struct Target
     glBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
     const GLenum formats[2] = { GL_RGBA8, depthFormat };
     const GLenum attachments[2] = { GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT };
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < (depthFormat == NoDepth ? 1 : 2); ++i)
     {
       glBindRenderbuffer(GL_RENDERBUFFER, this->buffers[i]);
       glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, formats[i], Size, Size);
@@ -87,15 +89,15 @@ struct Target
     glDeleteRenderbuffers(2, this->buffers);
   }
 
-  // Green of the middle, in [0, 1].
-  double ReadGreen()
+  // Green of the middle or of another pixel, in [0, 1].
+  double ReadGreen(int x = Size / 2, int y = Size / 2)
   {
     const Target single(0, GL_DEPTH_COMPONENT24, 1.0);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, this->framebuffer);
     glBlitFramebuffer(0, 0, Size, Size, 0, 0, Size, Size, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, single.framebuffer);
     unsigned char pixel[4];
-    glReadPixels(Size / 2, Size / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     return pixel[1] / 255.0;
   }
 };
@@ -134,8 +136,8 @@ int TestOpenGLState(int, char*[])
   // Framebuffers of others, with depth in all formats, and samples.
   for (const int samples : { 0, 4 })
   {
-    for (const GLenum format : { GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8,
-           GL_DEPTH_COMPONENT32F, GL_DEPTH32F_STENCIL8 })
+    for (const GLenum format : std::vector<GLenum>{ GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24,
+           GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT32F, GL_DEPTH32F_STENCIL8, NoDepth })
     {
       const std::string what =
         std::to_string(samples) + " samples, depth format " + std::to_string(format);
@@ -144,7 +146,8 @@ int TestOpenGLState(int, char*[])
         Target target(samples, format, cut ? halfway : 1.0);
         glViewport(0, 0, Size, Size);
         render(what);
-        checks.Near(target.ReadGreen(), cut ? half : whole, 1.5 * test::OneStep, "green, " + what);
+        checks.Near(target.ReadGreen(), cut && format != NoDepth ? half : whole,
+          1.5 * test::OneStep, "green, " + what);
       }
     }
   }
@@ -166,7 +169,7 @@ int TestOpenGLState(int, char*[])
     glCullFace(GL_FRONT_AND_BACK);
     glEnable(GL_STENCIL_TEST);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(1, 2, 3, 4);
+    glScissor(10, 20, 25, 30);
     glPixelStorei(GL_PACK_ALIGNMENT, 8);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
     glPixelStorei(GL_PACK_ROW_LENGTH, 77);
@@ -185,6 +188,12 @@ int TestOpenGLState(int, char*[])
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_SCISSOR_TEST);
     checks.Near(target.ReadGreen(), half, 1.5 * test::OneStep, "green, in a strange state");
+    // The scissor rectangle is obeyed.
+    checks.Near(target.ReadGreen(10, 20), half, 1.5 * test::OneStep, "inside the rectangle");
+    checks.Near(target.ReadGreen(34, 49), half, 1.5 * test::OneStep, "inside the rectangle");
+    checks.Equal(target.ReadGreen(9, 30), 0.0, "left of the rectangle");
+    checks.Equal(target.ReadGreen(35, 30), 0.0, "right of the rectangle");
+    checks.Equal(target.ReadGreen(20, 50), 0.0, "above the rectangle");
   }
   window->GetState()->Reset();
 

@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkShaderProperty.h"
 #include "vtkStringArray.h"
 
 int TestUnsupportedRequests(int, char*[])
@@ -98,6 +99,13 @@ int TestUnsupportedRequests(int, char*[])
       property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
     });
   property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  warnsOnce("Replacements in VTK's shaders",
+    [&]
+    {
+      stage.volume->GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Base::Impl", true, "discard;", false);
+    });
+  stage.volume->GetShaderProperty()->ClearAllShaderReplacements();
   warnsOnce(
     "Colors of categories", [&] { property->GetRGBTransferFunction()->SetIndexedLookup(true); });
   property->GetRGBTransferFunction()->SetIndexedLookup(false);

@@ -177,8 +177,9 @@ class RenderProgramTest(unittest.TestCase):
             self.refused(INPUT_UNREADABLE, ["rt_medium_7.vti"], path, self.png)
 
     def test_header_that_says_more_than_fits_into_memory(self):
-        # The sanitizers would end the program where memory runs out.
-        env = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":allocator_may_return_null=1")
+        # The sanitizers would end the program where memory runs out; VTK's readers lose what they had when they throw.
+        options = os.environ.get("ASAN_OPTIONS", "") + ":allocator_may_return_null=1:detect_leaks=0"
+        env = dict(os.environ, ASAN_OPTIONS=options)
         for name, make in (
             ("2^60 cells", lambda folder: write_vthb(folder, 2**20)),
             ("-1 blocks", lambda folder: write_plotfile(folder, -1)),
