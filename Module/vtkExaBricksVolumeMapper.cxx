@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 vtkStandardNewMacro(vtkExaBricksVolumeMapper);
@@ -116,8 +117,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   // Hands the renderer what has changed. Throws std::bad_alloc.
   void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property,
     const std::shared_ptr<const vtkExaBricksData::Contents>& contents);
-  // Renders the picture and puts it into the window; returns why it cannot.
-  std::string Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
+  // Renders the picture and puts it into the window, as Compositor::draw() does.
+  std::optional<std::string> Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
     const vtkExaBricksData::Contents& contents);
 };
 
@@ -447,8 +448,9 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckRequests(
   return requests.refused;
 }
 
-std::string vtkExaBricksVolumeMapper::vtkInternals::Draw(vtkExaBricksVolumeMapper* self,
-  vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents)
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
+  vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
+  const vtkExaBricksData::Contents& contents)
 {
   const auto makeView = [&](int width, int height)
   {
@@ -470,7 +472,6 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     return; // blended colours would be taken for ids
   }
-  internals.Drawn.set(ren, false);
   const exabricks::Requests requests = exabricks::checkRequests(this, vol);
   for (const std::string& what : requests.drawnWithout)
   {
@@ -479,16 +480,19 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   if (!requests.refused.empty())
   {
     internals.SayFault(this, requests.refused);
+    internals.Drawn.set(ren, false);
     return;
   }
   this->Update();
   if (!internals.GetContents())
   {
     internals.DropVolume();
+    internals.Drawn.set(ren, false);
     return; // the builder has said why, or was told to stop
   }
   if (ren->GetRenderWindow()->CheckAbortStatus())
   {
+    internals.Drawn.set(ren, false);
     return;
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
@@ -497,20 +501,28 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
   if (const auto contents = internals.GetContents())
   {
-    std::string fault = internals.CheckRequests(this, property, contents->Components);
-    fault = fault.empty() ? internals.CheckValues(this, property) : fault;
+    std::optional<std::string> fault =
+      internals.CheckRequests(this, property, contents->Components);
+    fault = fault->empty() ? internals.CheckValues(this, property) : fault;
     try
     {
       internals.UpdateRenderer(this, property, contents);
-      fault = fault.empty() ? internals.Draw(this, ren, vol, *contents) : fault;
+      fault = fault->empty() ? internals.Draw(this, ren, vol, *contents) : fault;
     }
     catch (const std::bad_alloc&)
     {
       internals.Contents.reset();
       fault = "out of memory on the host. Read fewer levels, or make the window smaller";
     }
-    internals.SayFault(this, fault);
-    internals.Drawn.set(ren, fault.empty());
+    if (fault)
+    {
+      internals.SayFault(this, *fault);
+      internals.Drawn.set(ren, fault->empty());
+    }
+  }
+  else
+  {
+    internals.Drawn.set(ren, false);
   }
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);

@@ -16,8 +16,9 @@ std::string refuse(const Viewport& viewport)
 }
 }
 
-std::string Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
-  const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer)
+std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren,
+  vtkVolume* vol, const std::function<View(int width, int height)>& makeView,
+  VolumeRenderer& renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   if (!window)
@@ -28,7 +29,7 @@ std::string Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, 
   const Viewport viewport = findViewport();
   if (viewport.width <= 0 || viewport.height <= 0)
   {
-    return {};
+    return std::string();
   }
   View view = makeView(viewport.width, viewport.height);
   if (this->Peel.begin(mapper, vol))
@@ -50,7 +51,7 @@ std::string Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, 
   return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
 }
 
-std::string Compositor::DrawPeel(
+std::optional<std::string> Compositor::DrawPeel(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer)
 {
   RayPieces back;
@@ -62,7 +63,7 @@ std::string Compositor::DrawPeel(
   }
   if (!back.any && !front.any)
   {
-    return {};
+    return this->Peel.isFirst() ? std::make_optional<std::string>() : std::nullopt;
   }
   if (!view.whole)
   {

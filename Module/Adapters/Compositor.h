@@ -8,6 +8,7 @@
 #include "Vulkan/VolumeRenderer.h"
 
 #include <functional>
+#include <optional>
 
 class vtkRenderer;
 
@@ -17,15 +18,16 @@ class Compositor
 {
 public:
   /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
-  /// in pixels. Returns an empty string, or what went wrong.
-  std::string draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
+  /// in pixels. Returns an empty string, or what went wrong; none, if it is a
+  /// peel after the first one that has no use for the volume.
+  std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
     const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer);
 
   /// May be called twice, and with a window that is going away.
   void release(vtkWindow* window);
 
 private:
-  std::string DrawPeel(
+  std::optional<std::string> DrawPeel(
     vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer);
 
   OpenGLPicture Picture;

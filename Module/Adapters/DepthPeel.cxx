@@ -161,6 +161,7 @@ bool DepthPeel::readPieces(
     glClearBufferfv(GL_COLOR, 1, nothing.data());
     this->setParameters(program);
     this->Continues = program->IsUniformUsed("lastFrontColorTex");
+    this->First = !this->Continues && program->IsUniformUsed("outerDepthTex");
     if (this->Continues)
     {
       // The code puts what it is given under the last peel's colours: here there are none.

@@ -53,6 +53,8 @@ public:
   void setParameters(vtkShaderProgram* program) const;
   /// Whether the colours before what is peeled go on from those of the last peel.
   bool continuesFront() const { return this->Continues; }
+  /// Whether it is the first one of a picture.
+  bool isFirst() const { return this->First; }
 
   /// May be called twice, and with a window that is going away.
   void release(vtkWindow* window);
@@ -64,6 +66,7 @@ private:
   vtkAbstractVolumeMapper* Mapper = nullptr;
   vtkVolume* Volume = nullptr;
   bool Continues = false;
+  bool First = false;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;                        // what the rest was made for
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Shaders; // by source

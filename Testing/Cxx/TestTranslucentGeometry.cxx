@@ -237,6 +237,21 @@ int TestTranslucentGeometry(int argc, char* argv[])
   }
   stage.renderer->RemoveVolume(other);
 
+  // What cannot be drawn is said once, not in each peel, and not taken for drawn.
+  {
+    test::Messages messages;
+    stage.mapper->SetDevice("abacus");
+    for (int i = 0; i < 2; ++i)
+    {
+      Layers without;
+      without.Add(Red, 0.5);
+      expect(test::Picture(stage.window), 50, without, "without a device");
+      checks.Expect(!stage.mapper->GetDrawn(), "not drawn without a device");
+    }
+    checks.Equal(messages.Errors().size(), 1, "errors without a device");
+    stage.mapper->SetDevice(nullptr);
+  }
+
   // A translucent ball half in the volume, in perspective.
   sheet.actor->VisibilityOff();
   vtkNew<vtkSphereSource> sphere;
