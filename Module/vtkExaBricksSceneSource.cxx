@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <new>
 #include <string>
 
@@ -160,7 +161,7 @@ int vtkExaBricksSceneSource::RequestData(
       this->Internals->SaidNoMemory = true;
       vtkErrorMacro("Out of memory on the host: expected memory for "
         << this->NumberOfLeafCells << " leaf cells, which are at least "
-        << 5.0 * static_cast<double>(this->NumberOfLeafCells)
+        << 5 * static_cast<std::uint64_t>(this->NumberOfLeafCells)
         << " bytes for values and ghost marks alone. Set a smaller NumberOfLeafCells.");
     }
   }

@@ -117,7 +117,6 @@ struct Frame
   float terminationOpacity; // a ray ends at this opacity
   float integralUnit;       // of the transfer function's integrals
   uint hasDepth;            // 0: rays go to the far plane, the depth buffer is not read
-  uint hasNearDepth;        // 0: rays begin at the near plane
   uint64_t bricks;          // device addresses of Brick[], uint[], KdNode[], ...
   uint64_t brickLists;
   uint64_t nodes;

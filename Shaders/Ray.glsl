@@ -4,6 +4,9 @@
 // point close to where the ray is (its base), so that they stay small. A ray that has come further
 // than REBASE_DISTANCE from its base is set up anew from there.
 
+// Rays begin at depths of their own; else at the near plane, and nothing is read.
+layout(constant_id = 2) const bool beginsAtDepth = false;
+
 struct Ray
 {
   ivec3 base;    // lattice point, half cells
@@ -38,7 +41,7 @@ bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
 {
   const dvec2 ndc = 2.0LF * (dvec2(pixel) + 0.5LF) / dvec2(f.frame.width, f.frame.height) - 1.0LF;
   double near = -1.0LF;
-  if (f.frame.hasNearDepth != 0)
+  if (beginsAtDepth)
   {
     near = ndcDepth(Values(f.frame.nearDepth), pixel, f.frame.width);
   }
@@ -47,7 +50,7 @@ bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
   {
     far = ndcDepth(Values(f.frame.depth), pixel, f.frame.width);
   }
-  if (!(near < far))
+  if (beginsAtDepth && !(near < far))
   {
     return false;
   }

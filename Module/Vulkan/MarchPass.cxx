@@ -40,7 +40,7 @@ vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const MarchProgram* pr
 }
 
 MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
-  Reconstruction reconstruction, const MarchProgram* program)
+  Reconstruction reconstruction, bool beginsAtDepth, const MarchProgram* program)
   : Owner(std::move(device))
   , How(traversal)
   , Field(reconstruction)
@@ -50,12 +50,14 @@ MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
   const vk::raii::ShaderModule shader(this->Owner->handle(), shaderFor(traversal, program));
-  // Constants, so that the code of one reconstruction alone is compiled.
-  const std::array<vk::Bool32, 2> values{ reconstruction == Reconstruction::Nearest,
-    reconstruction == Reconstruction::Completed };
-  const std::array<vk::SpecializationMapEntry, 2> entries{ vk::SpecializationMapEntry(
-                                                             0, 0, sizeof(vk::Bool32)),
-    vk::SpecializationMapEntry(1, sizeof(vk::Bool32), sizeof(vk::Bool32)) };
+  // Constants, so that the code of one variant alone is compiled.
+  const std::array<vk::Bool32, 3> values{ reconstruction == Reconstruction::Nearest,
+    reconstruction == Reconstruction::Completed, beginsAtDepth };
+  std::array<vk::SpecializationMapEntry, 3> entries;
+  for (std::uint32_t i = 0; i < entries.size(); ++i)
+  {
+    entries[i] = vk::SpecializationMapEntry(i, i * sizeof(vk::Bool32), sizeof(vk::Bool32));
+  }
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
@@ -88,7 +90,6 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
   frame.terminationOpacity = static_cast<float>(view.terminationOpacity);
   frame.hasDepth = view.depth != nullptr;
   frame.depth = view.depth ? this->Depth.address() : 0;
-  frame.hasNearDepth = view.nearDepth != nullptr;
   frame.nearDepth = view.nearDepth ? this->NearDepth.address() : 0;
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));

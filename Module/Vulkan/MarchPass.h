@@ -15,8 +15,9 @@ class MarchPass
 {
 public:
   /// `traversal`: RayQuery or KdTree. `program`: may be null, or have no shader.
+  /// `beginsAtDepth`: for views with a nearDepth; they and the others have a pass each.
   MarchPass(std::shared_ptr<Device> device, Traversal traversal, Reconstruction reconstruction,
-    const MarchProgram* program);
+    bool beginsAtDepth, const MarchProgram* program);
 
   Traversal traversal() const { return this->How; }
   Reconstruction reconstruction() const { return this->Field; }

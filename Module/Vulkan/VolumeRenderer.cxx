@@ -8,6 +8,7 @@
 #include "Vulkan/KnownEffort.h"
 #include "Vulkan/MarchPass.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -62,7 +63,8 @@ struct VolumeRenderer::Internals
   vulkan::Buffer Knots;
   float IntegralUnit = 1.0f;
   vulkan::Buffer Extra;
-  std::unique_ptr<vulkan::MarchPass> Pass;
+  // For views without a nearDepth, and with one.
+  std::array<std::unique_ptr<vulkan::MarchPass>, 2> Passes;
   bool ColorsReady = false;
   bool Weighted = false; // steps are, by what they err
   KnownEffort Known;
@@ -96,7 +98,7 @@ struct VolumeRenderer::Internals
   {
     this->ProgramReady = false;
     this->Extra = {};
-    this->Pass.reset();
+    this->Passes = {};
   }
 
   void DropAll()
@@ -363,11 +365,12 @@ struct VolumeRenderer::Internals
       picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
       return;
     }
-    if (!this->Pass || this->Pass->traversal() != this->Figures.traversal ||
-      this->Pass->reconstruction() != view.reconstruction)
+    std::unique_ptr<vulkan::MarchPass>& pass = this->Passes[view.nearDepth != nullptr];
+    if (!pass || pass->traversal() != this->Figures.traversal ||
+      pass->reconstruction() != view.reconstruction)
     {
-      this->Pass = std::make_unique<vulkan::MarchPass>(
-        this->Device, this->Figures.traversal, view.reconstruction, this->Program.get());
+      pass = std::make_unique<vulkan::MarchPass>(this->Device, this->Figures.traversal,
+        view.reconstruction, view.nearDepth != nullptr, this->Program.get());
     }
     layout::Frame frame{};
     detail.onDevice->fill(frame);
@@ -377,7 +380,7 @@ struct VolumeRenderer::Internals
     frame.extra = this->Extra.address();
     frame.veiled = this->Weighted ? 1.0f / 3.0f : 0.0f; // as StepWeights has it
     view.ndcToHalfCells = detail.fromHalfCells * view.ndcToHalfCells;
-    this->Pass->run(frame, view, picture);
+    pass->run(frame, view, picture);
   }
 
   void March(View view, std::vector<glm::vec4>& picture)
@@ -478,7 +481,7 @@ struct VolumeRenderer::Internals
       }
       catch (const vulkan::PictureFailure& failure)
       {
-        this->Pass.reset(); // all the rest can draw a smaller picture
+        this->Passes = {}; // all the rest can draw a smaller picture
         return failure.what();
       }
       catch (const vulkan::Failure& failure)
