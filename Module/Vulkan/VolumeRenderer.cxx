@@ -17,8 +17,7 @@ namespace exabricks
 namespace
 {
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
-// show anything. Where still few do, they cost little: they get steps that are short enough for
-// all.
+// show anything. Where still few do, they cost little: they get steps that suit all.
 constexpr double PilotPixels = 3000.0;
 constexpr double MostPilotPixels = 64.0 * PilotPixels;
 constexpr double StepScaleOfFew = 0.25;
