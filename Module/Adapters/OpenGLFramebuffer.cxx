@@ -11,17 +11,6 @@ namespace exabricks
 {
 namespace
 {
-// Whether there was no error since it was asked last. A lost context may have one for ever.
-bool noError()
-{
-  bool none = true;
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-    none = false;
-  }
-  return none;
-}
-
 void readPixels(int x, int y, const Viewport& viewport, std::vector<float>& depth)
 {
   glReadPixels(x, y, viewport.width, viewport.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());

@@ -52,14 +52,6 @@ void main()
 }
 )";
 
-// A lost context may have errors for ever.
-void clearErrors()
-{
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-  }
-}
-
 void prepare(
   std::unique_ptr<vtkOpenGLQuadHelper>& helper, vtkOpenGLRenderWindow* window, const char* shader)
 {
@@ -100,10 +92,10 @@ bool OpenGLPicture::Upload(Texture& texture, const Viewport& viewport, Pixels& p
   {
     return false;
   }
-  clearErrors();
+  noError(); // of others before
   return texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
            static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data()) &&
-    glGetError() == GL_NO_ERROR;
+    noError();
 }
 
 bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture)

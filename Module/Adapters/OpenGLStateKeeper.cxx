@@ -106,4 +106,15 @@ void OpenGLStateKeeper::SetBlending(GLenum equationColor, GLenum equationAlpha, 
   glBlendEquationSeparate(equationColor, equationAlpha);
   glBlendFuncSeparate(sourceColor, targetColor, sourceAlpha, targetAlpha);
 }
+
+bool noError()
+{
+  // A lost context may have an error for ever.
+  bool none = true;
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+    none = false;
+  }
+  return none;
+}
 }

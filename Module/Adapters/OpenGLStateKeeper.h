@@ -56,6 +56,9 @@ private:
   GLint PackBuffer;
   GLint UnpackBuffer;
 };
+
+/// Whether OpenGL had no error since this was asked last.
+bool noError();
 }
 
 #endif
