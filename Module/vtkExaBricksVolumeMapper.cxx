@@ -455,11 +455,11 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
   const auto makeView = [&](int width, int height)
   {
     exabricks::View view = exabricks::makeView(ren, vol, contents, width, height);
-    view.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
-    view.stepScale = self->StepScale;
-    view.errorTolerance = self->ErrorTolerance;
+    view.quality.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
+    view.quality.stepScale = self->StepScale;
+    view.quality.errorTolerance = self->ErrorTolerance;
     view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
-    view.terminationOpacity = self->EarlyTerminationOpacity;
+    view.quality.terminationOpacity = self->EarlyTerminationOpacity;
     return view;
   };
   return this->Compositor.draw(self, ren, vol, makeView, this->Renderer);

@@ -42,7 +42,7 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
     return "expected OpenGL to copy the depth of a multisampled framebuffer, it refused. Call "
            "SetMultiSamples(0) of the window";
   }
-  view.depth = opaque == OpaqueDepth::Read ? this->Depth.data() : nullptr;
+  view.target.depth = opaque == OpaqueDepth::Read ? this->Depth.data() : nullptr;
   const std::string fault = renderer.render(view, this->Back);
   if (!fault.empty())
   {
@@ -65,14 +65,14 @@ std::optional<std::string> Compositor::DrawPeel(
   {
     return this->Peel.isFirst() ? std::make_optional<std::string>() : std::nullopt;
   }
-  if (!view.whole)
+  if (!view.target.whole)
   {
-    view.whole = View::Whole{ view.ndcToHalfCells, view.ndcToData, view.width, view.height };
+    view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
   }
   const auto render = [&](const RayPieces& pieces, Pixels& pixels)
   {
-    view.nearDepth = pieces.begin.data();
-    view.depth = pieces.end.data();
+    view.target.nearDepth = pieces.begin.data();
+    view.target.depth = pieces.end.data();
     return renderer.render(view, pixels);
   };
   std::string fault;

@@ -80,10 +80,10 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents
   const glm::dmat4 worldToData = glm::inverse(toGLM(vol->GetMatrix()));
 
   View view;
-  view.width = width;
-  view.height = height;
-  view.ndcToData = worldToData * glm::inverse(findProjection(ren));
-  view.ndcToHalfCells = dataToHalfCells * view.ndcToData;
+  view.target.width = width;
+  view.target.height = height;
+  view.camera.ndcToData = worldToData * glm::inverse(findProjection(ren));
+  view.camera.ndcToHalfCells = dataToHalfCells * view.camera.ndcToData;
 
   vtkWindow* window = ren->GetVTKWindow();
   int tiles[2] = { 1, 1 };
@@ -94,7 +94,7 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents
   const bool tiled = tiles[0] > 1 || tiles[1] > 1;
   if (tiled || camera->GetStereo())
   {
-    View::Whole whole{ view.ndcToHalfCells, view.ndcToData, width, height };
+    Target::Whole whole{ view.camera, width, height };
     glm::dmat4 ndcToWorld = glm::inverse(findCentralProjection(ren));
     if (tiled)
     {
@@ -111,9 +111,9 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents
       whole.width = static_cast<int>(std::lround((viewport[2] - viewport[0]) * size[0]));
       whole.height = static_cast<int>(std::lround((viewport[3] - viewport[1]) * size[1]));
     }
-    whole.ndcToData = worldToData * ndcToWorld;
-    whole.ndcToHalfCells = dataToHalfCells * whole.ndcToData;
-    view.whole = whole;
+    whole.camera.ndcToData = worldToData * ndcToWorld;
+    whole.camera.ndcToHalfCells = dataToHalfCells * whole.camera.ndcToData;
+    view.target.whole = whole;
   }
   return view;
 }

@@ -19,23 +19,27 @@ struct KnownEffort
     : view(of)
     , effort(found)
   {
-    if (of.depth)
+    if (of.target.depth)
     {
-      this->depth.assign(of.depth, of.depth + static_cast<std::size_t>(of.width) * of.height);
+      this->depth.assign(of.target.depth,
+        of.target.depth + static_cast<std::size_t>(of.target.width) * of.target.height);
     }
   }
 
   bool is(const View& other) const
   {
-    const double allowed = other.whole ? 1e-9 : 0.0; // of the greatest element
-    return this->view.errorTolerance == other.errorTolerance && this->view.width == other.width &&
-      this->view.height == other.height && this->view.reconstruction == other.reconstruction &&
-      this->view.levelsLeftOut == other.levelsLeftOut &&
+    const double allowed = other.target.whole ? 1e-9 : 0.0; // of the greatest element
+    return this->view.quality.errorTolerance == other.quality.errorTolerance &&
+      this->view.target.width == other.target.width &&
+      this->view.target.height == other.target.height &&
+      this->view.quality.reconstruction == other.quality.reconstruction &&
+      this->view.quality.levelsLeftOut == other.quality.levelsLeftOut &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
-      alike(this->view.ndcToHalfCells, other.ndcToHalfCells, allowed) &&
-      alike(this->view.ndcToData, other.ndcToData, allowed) &&
-      this->depth.empty() == !other.depth &&
-      (!other.depth || std::equal(this->depth.begin(), this->depth.end(), other.depth));
+      alike(this->view.camera.ndcToHalfCells, other.camera.ndcToHalfCells, allowed) &&
+      alike(this->view.camera.ndcToData, other.camera.ndcToData, allowed) &&
+      this->depth.empty() == !other.target.depth &&
+      (!other.target.depth ||
+        std::equal(this->depth.begin(), this->depth.end(), other.target.depth));
   }
 
   View view; // of no tolerance: nothing is known

@@ -67,30 +67,30 @@ MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
 
 void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4>& picture)
 {
-  const std::size_t pixels = static_cast<std::size_t>(view.width) * view.height;
+  const std::size_t pixels = static_cast<std::size_t>(view.target.width) * view.target.height;
   provide(this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback,
-    Purpose::ofPicture("the picture", view.width, view.height));
+    Purpose::ofPicture("the picture", view.target.width, view.target.height));
   const auto upload = [&](Buffer& buffer, const float* depth)
   {
     if (depth)
     {
       provide(buffer, this->Owner, pixels * sizeof(float), Residence::Upload,
-        Purpose::ofPicture("the depth buffer", view.width, view.height));
+        Purpose::ofPicture("the depth buffer", view.target.width, view.target.height));
       buffer.upload(depth, pixels * sizeof(float));
     }
   };
-  upload(this->Depth, view.depth);
-  upload(this->NearDepth, view.nearDepth);
-  frame.ndcToHalfCells = view.ndcToHalfCells;
-  frame.ndcToData = view.ndcToData;
-  frame.width = static_cast<std::uint32_t>(view.width);
-  frame.height = static_cast<std::uint32_t>(view.height);
-  frame.stepScale = static_cast<float>(view.stepScale);
+  upload(this->Depth, view.target.depth);
+  upload(this->NearDepth, view.target.nearDepth);
+  frame.ndcToHalfCells = view.camera.ndcToHalfCells;
+  frame.ndcToData = view.camera.ndcToData;
+  frame.width = static_cast<std::uint32_t>(view.target.width);
+  frame.height = static_cast<std::uint32_t>(view.target.height);
+  frame.stepScale = static_cast<float>(view.quality.stepScale);
   frame.inverseUnit = static_cast<float>(1.0 / view.opacityUnitDistance);
-  frame.terminationOpacity = static_cast<float>(view.terminationOpacity);
-  frame.hasDepth = view.depth != nullptr;
-  frame.depth = view.depth ? this->Depth.address() : 0;
-  frame.nearDepth = view.nearDepth ? this->NearDepth.address() : 0;
+  frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
+  frame.hasDepth = view.target.depth != nullptr;
+  frame.depth = view.target.depth ? this->Depth.address() : 0;
+  frame.nearDepth = view.target.nearDepth ? this->NearDepth.address() : 0;
   frame.picture = this->Picture.address();
   this->Constants.upload(&frame, sizeof(frame));
 

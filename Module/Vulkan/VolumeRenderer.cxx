@@ -296,15 +296,14 @@ struct VolumeRenderer::Internals
   // which levels and steps err as much as they may; more of them where few show anything.
   Effort FindEffort(View view)
   {
-    if (view.whole)
+    if (view.target.whole)
     {
-      view.ndcToHalfCells = view.whole->ndcToHalfCells;
-      view.ndcToData = view.whole->ndcToData;
-      view.width = view.whole->width;
-      view.height = view.whole->height;
-      view.depth = nullptr;
+      view.camera = view.target.whole->camera;
+      view.target.width = view.target.whole->width;
+      view.target.height = view.target.whole->height;
+      view.target.depth = nullptr;
     }
-    view.nearDepth = nullptr;
+    view.target.nearDepth = nullptr;
     if (this->Known.is(view))
     {
       this->Figures.pilotTime = 0.0;
@@ -312,37 +311,38 @@ struct VolumeRenderer::Internals
     }
     const Stopwatch watch;
     std::optional<Effort> effort;
-    const double pixels = static_cast<double>(view.width) * view.height;
+    const double pixels = static_cast<double>(view.target.width) * view.target.height;
     for (double some = PilotPixels; !effort; some *= 8.0)
     {
       const double sparse = std::max(1.0, std::sqrt(pixels / some));
       View pilot = view;
-      pilot.width = std::max(1, static_cast<int>(view.width / sparse));
-      pilot.height = std::max(1, static_cast<int>(view.height / sparse));
+      pilot.target.width = std::max(1, static_cast<int>(view.target.width / sparse));
+      pilot.target.height = std::max(1, static_cast<int>(view.target.height / sparse));
       std::vector<float> depth;
-      if (view.depth)
+      if (view.target.depth)
       {
         // of the pixel that a pilot's ray goes through
-        for (std::int64_t y = 0; y < pilot.height; ++y)
+        for (std::int64_t y = 0; y < pilot.target.height; ++y)
         {
-          const std::int64_t row = (2 * y + 1) * view.height / (2 * pilot.height);
-          for (std::int64_t x = 0; x < pilot.width; ++x)
+          const std::int64_t row = (2 * y + 1) * view.target.height / (2 * pilot.target.height);
+          for (std::int64_t x = 0; x < pilot.target.width; ++x)
           {
             depth.push_back(
-              view.depth[(2 * x + 1) * view.width / (2 * pilot.width) + view.width * row]);
+              view.target.depth[(2 * x + 1) * view.target.width / (2 * pilot.target.width) +
+                view.target.width * row]);
           }
         }
-        pilot.depth = depth.data();
+        pilot.target.depth = depth.data();
       }
-      effort = findEffort(view.errorTolerance,
+      effort = findEffort(view.quality.errorTolerance,
         [&](int levelsLeftOut, double stepScale, std::vector<glm::vec4>& picture)
         {
-          const Detail* detail = levelsLeftOut <= view.levelsLeftOut.value_or(levelsLeftOut)
+          const Detail* detail = levelsLeftOut <= view.quality.levelsLeftOut.value_or(levelsLeftOut)
             ? this->FindDetail(levelsLeftOut)
             : nullptr;
           if (detail)
           {
-            pilot.stepScale = stepScale;
+            pilot.quality.stepScale = stepScale;
             this->Draw(*detail, pilot, picture);
           }
           return detail != nullptr;
@@ -361,15 +361,16 @@ struct VolumeRenderer::Internals
   {
     if (detail.onDevice->activeBoxes() == 0)
     {
-      picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
+      picture.assign(
+        static_cast<std::size_t>(view.target.width) * view.target.height, glm::vec4(0.0f));
       return;
     }
-    std::unique_ptr<vulkan::MarchPass>& pass = this->Passes[view.nearDepth != nullptr];
+    std::unique_ptr<vulkan::MarchPass>& pass = this->Passes[view.target.nearDepth != nullptr];
     if (!pass || pass->traversal() != this->Figures.traversal ||
-      pass->reconstruction() != view.reconstruction)
+      pass->reconstruction() != view.quality.reconstruction)
     {
       pass = std::make_unique<vulkan::MarchPass>(this->Device, this->Figures.traversal,
-        view.reconstruction, view.nearDepth != nullptr, this->Program.get());
+        view.quality.reconstruction, view.target.nearDepth != nullptr, this->Program.get());
     }
     layout::Frame frame{};
     detail.onDevice->fill(frame);
@@ -378,14 +379,14 @@ struct VolumeRenderer::Internals
     frame.integralUnit = this->IntegralUnit;
     frame.extra = this->Extra.address();
     frame.veiled = this->Weighted ? 1.0f / 3.0f : 0.0f; // as StepWeights has it
-    view.ndcToHalfCells = detail.fromHalfCells * view.ndcToHalfCells;
+    view.camera.ndcToHalfCells = detail.fromHalfCells * view.camera.ndcToHalfCells;
     pass->run(frame, view, picture);
   }
 
   void March(View view, std::vector<glm::vec4>& picture)
   {
     const bool weighted =
-      view.errorTolerance > 0.0 && view.reconstruction != Reconstruction::Nearest;
+      view.quality.errorTolerance > 0.0 && view.quality.reconstruction != Reconstruction::Nearest;
     if (weighted != this->Weighted)
     {
       this->Weighted = weighted;
@@ -396,12 +397,13 @@ struct VolumeRenderer::Internals
     this->Update();
     if (this->Details.empty())
     {
-      picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
+      picture.assign(
+        static_cast<std::size_t>(view.target.width) * view.target.height, glm::vec4(0.0f));
       return;
     }
     if (weighted)
     {
-      view.terminationOpacity = std::max(1.0 - 0.25 * view.errorTolerance, 0.5);
+      view.quality.terminationOpacity = std::max(1.0 - 0.25 * view.quality.errorTolerance, 0.5);
     }
     Effort effort;
     if (weighted && !this->Program) // another program's output need not be a picture
@@ -410,15 +412,15 @@ struct VolumeRenderer::Internals
     }
     else
     {
-      effort.stepScale = view.stepScale;
-      effort.levelsLeftOut = view.levelsLeftOut.value_or(0);
+      effort.stepScale = view.quality.stepScale;
+      effort.levelsLeftOut = view.quality.levelsLeftOut.value_or(0);
       while (!this->FindDetail(effort.levelsLeftOut))
       {
         --effort.levelsLeftOut;
       }
     }
     this->CountBytes();
-    this->Figures.stepScale = view.stepScale = effort.stepScale;
+    this->Figures.stepScale = view.quality.stepScale = effort.stepScale;
     this->Figures.levelsLeftOut = effort.levelsLeftOut;
     const Stopwatch watch;
     this->Draw(this->Details[effort.levelsLeftOut], view, picture);
@@ -568,7 +570,7 @@ std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& pic
 {
   const std::vector<Detail>& details = this->Data->Details;
   if (!details.empty() &&
-    (view.reconstruction == Reconstruction::Completed) !=
+    (view.quality.reconstruction == Reconstruction::Completed) !=
       (details.front().volume.scalars->layer == 1))
   {
     return "the volume's scalars do not fit the reconstruction: completed ones, with a layer "

@@ -8,10 +8,9 @@
 #define ExaBricksVulkanVolumeRenderer_h
 
 #include "Core/ActiveRegions.h"
+#include "Core/View.h"
 
-#include <glm/mat4x4.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace exabricks
@@ -21,48 +20,6 @@ enum class Traversal
   Automatic, // ray query on a GPU that has it, else the k-d tree
   RayQuery,
   KdTree
-};
-
-enum class Reconstruction
-{
-  Basis,
-  Nearest,
-  Completed // with scalars that have a layer around each brick (Completion)
-};
-
-struct View
-{
-  glm::dmat4 ndcToHalfCells{ 1.0 }; // from normalised device coordinates, z in [-1, 1]
-  glm::dmat4 ndcToData{ 1.0 };      // to the data's own coordinates
-  int width = 0;                    // pixels
-  int height = 0;
-  /// Where rays end, and where they begin, [height][width], row 0 at the bottom, window depth in
-  /// [0, 1]; null: at the far plane, and at the near plane. Where the end is not behind the
-  /// beginning, nothing is drawn.
-  const float* depth = nullptr;
-  const float* nearDepth = nullptr;
-  Reconstruction reconstruction = Reconstruction::Basis;
-  double stepScale = 1.0; // step in cells of the region's finest brick
-  /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
-  /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
-  /// terminationOpacity alone count, and all levels are drawn.
-  double errorTolerance = 0.0;
-  /// So many of the finest levels are left out, and with an errorTolerance that steps are chosen
-  /// for at most so many; none: as many as it allows.
-  std::optional<int> levelsLeftOut;
-  /// The whole picture of which this view is a part: a tile, the picture of one eye, or what lies
-  /// between two depths. With an errorTolerance, levels and steps are chosen for the whole, without
-  /// regard to depth, so that all its parts have the same. None: the view is whole.
-  struct Whole
-  {
-    glm::dmat4 ndcToHalfCells{ 1.0 };
-    glm::dmat4 ndcToData{ 1.0 };
-    int width = 0; // pixels
-    int height = 0;
-  };
-  std::optional<Whole> whole;
-  double opacityUnitDistance = 1.0; // length in the data's coordinates
-  double terminationOpacity = 0.999;
 };
 
 /// Another method of marching over the same buffers, for comparisons (Testing/Benchmarks).

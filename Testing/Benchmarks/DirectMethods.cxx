@@ -74,7 +74,7 @@ void DirectMethod::setTransferFunction(const TransferFunction& transfer)
 void DirectMethod::draw(const View& view)
 {
   check(this->Renderer.render(view, this->Pixels));
-  this->Drawn = { view.width, view.height };
+  this->Drawn = { view.target.width, view.target.height };
 }
 
 View DirectMethod::viewOf(const Size& size, double value) const
@@ -86,7 +86,7 @@ View DirectMethod::viewOf(const Size& size, double value) const
   }
   else
   {
-    view.stepScale = value;
+    view.quality.stepScale = value;
   }
   return view;
 }
@@ -118,11 +118,11 @@ double DirectMethod::samples(const Size& size, double value)
   }
   std::vector<glm::vec4> counts;
   View view = this->viewOf(size, value);
-  if (view.errorTolerance > 0.0) // which the counts say nothing of
+  if (view.quality.errorTolerance > 0.0) // which the counts say nothing of
   {
     this->draw(view);
-    view.stepScale = this->statistics().stepScale;
-    view.levelsLeftOut = this->statistics().levelsLeftOut;
+    view.quality.stepScale = this->statistics().stepScale;
+    view.quality.levelsLeftOut = this->statistics().levelsLeftOut;
   }
   check(this->Counter->render(view, counts));
   double sum = 0.0;
@@ -138,8 +138,8 @@ DirectSettings toleranceSettings(std::optional<int> levelsLeftOut)
   DirectSettings settings;
   settings.apply = [=](double value, View& view)
   {
-    view.errorTolerance = value;
-    view.levelsLeftOut = levelsLeftOut;
+    view.quality.errorTolerance = value;
+    view.quality.levelsLeftOut = levelsLeftOut;
   };
   return settings;
 }

@@ -48,7 +48,7 @@ public:
   void draw(const Size& size, double value) override
   {
     View view = this->Subject.view(size, Reconstruction::Basis);
-    view.stepScale = value;
+    view.quality.stepScale = value;
     const int threads = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
     this->Marcher->render(view, threads, this->Pixels);
     this->Drawn = size;

@@ -114,13 +114,13 @@ View Scene::view(const Size& size, Reconstruction reconstruction) const
   glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
   toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->Built.tree.bounds.lo));
   View view;
-  view.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-  view.ndcToData = from.ndcToWorld;
-  view.width = size[0];
-  view.height = size[1];
-  view.reconstruction = reconstruction;
+  view.camera.ndcToHalfCells = toHalfCells * from.ndcToLogical;
+  view.camera.ndcToData = from.ndcToWorld;
+  view.target.width = size[0];
+  view.target.height = size[1];
+  view.quality.reconstruction = reconstruction;
   view.opacityUnitDistance = this->Made.opacityUnitDistance;
-  view.depth = from.depth.empty() ? nullptr : this->Depths.at(size).data();
+  view.target.depth = from.depth.empty() ? nullptr : this->Depths.at(size).data();
   return view;
 }
 

@@ -205,10 +205,10 @@ reference::Image Subject::draw(
   setProperty(this->Given, property);
 
   View view = makeView(scene, volume, *this->Contents, this->Given.width, this->Given.height);
-  view.reconstruction = reconstruction;
-  view.stepScale = this->Given.stepScale;
+  view.quality.reconstruction = reconstruction;
+  view.quality.stepScale = this->Given.stepScale;
   view.opacityUnitDistance = this->Given.unitDistance / this->Given.scale;
-  view.terminationOpacity = 1.0; // never
+  view.quality.terminationOpacity = 1.0; // never
   vulkan::faults().largestValueBuffer = this->Given.largestValueBuffer;
   VolumeRenderer& renderer = renderers.get(reconstruction, traversal);
   renderer.setVolume({ &this->Contents->Structure->tree, &this->Contents->Structure->bricks,
@@ -223,8 +223,8 @@ reference::Image Subject::draw(
   {
     throw std::runtime_error(fault);
   }
-  pixels.resize(static_cast<std::size_t>(view.width) * view.height);
-  return { view.width, view.height, { pixels.begin(), pixels.end() } };
+  pixels.resize(static_cast<std::size_t>(view.target.width) * view.target.height);
+  return { view.target.width, view.target.height, { pixels.begin(), pixels.end() } };
 }
 
 Errors compare(

@@ -37,7 +37,7 @@ std::vector<float> depthsInside(const SceneRenderer& subject, const reference::V
 
 reference::Image toImage(const View& view, const Pixels& pixels)
 {
-  return { view.width, view.height, { pixels.begin(), pixels.end() } };
+  return { view.target.width, view.target.height, { pixels.begin(), pixels.end() } };
 }
 }
 
@@ -54,10 +54,10 @@ TEST(DrawsParts, PiecesOfRaysBlendToTheWhole)
       View view = subject.toView(from);
       const reference::Image whole = toImage(view, render(subject, view));
       const std::vector<float> cut = depthsInside(subject, from);
-      view.depth = cut.data();
+      view.target.depth = cut.data();
       const Pixels front = render(subject, view);
-      view.depth = nullptr;
-      view.nearDepth = cut.data();
+      view.target.depth = nullptr;
+      view.target.nearDepth = cut.data();
       const Pixels back = render(subject, view);
       Pixels both(front.size());
       double least = 1.0;
@@ -69,10 +69,10 @@ TEST(DrawsParts, PiecesOfRaysBlendToTheWhole)
       EXPECT_EQ(least, 0.0) << "some pixels show much of both";
       EXPECT_GE(reference::psnr(toImage(view, both), whole), 60.0);
       // Nothing lies between a depth and itself, or behind the end.
-      view.depth = cut.data();
+      view.target.depth = cut.data();
       EXPECT_EQ(coverage(toImage(view, render(subject, view))), 0.0);
       const std::vector<float> before(cut.size(), 0.0f);
-      view.depth = before.data();
+      view.target.depth = before.data();
       EXPECT_EQ(coverage(toImage(view, render(subject, view))), 0.0);
     }
   }
@@ -93,16 +93,16 @@ TEST(DrawsParts, WithTheLevelsAndStepsOfTheWhole)
   for (int tile = 3; tile >= 0; --tile)
   {
     View view = whole;
-    view.whole = View::Whole{ whole.ndcToHalfCells, whole.ndcToData, whole.width, whole.height };
-    view.width = view.height = 64;
+    view.target.whole = Target::Whole{ whole.camera, whole.target.width, whole.target.height };
+    view.target.width = view.target.height = 64;
     const glm::dmat4 part =
       glm::scale(glm::translate(
                    glm::dmat4(1.0), glm::dvec3(tile % 2 ? 0.5 : -0.5, tile / 2 ? 0.5 : -0.5, 0.0)),
         glm::dvec3(0.5, 0.5, 1.0));
-    view.ndcToHalfCells = whole.ndcToHalfCells * part;
-    view.ndcToData = whole.ndcToData * part;
+    view.camera.ndcToHalfCells = whole.camera.ndcToHalfCells * part;
+    view.camera.ndcToData = whole.camera.ndcToData * part;
     // Rounding, as each tile has a camera of its own.
-    view.whole->ndcToHalfCells = view.ndcToHalfCells * glm::inverse(part);
+    view.target.whole->camera.ndcToHalfCells = view.camera.ndcToHalfCells * glm::inverse(part);
     const Pixels pixels = render(other, view);
     EXPECT_EQ(other.renderer.statistics().stepScale, wanted.stepScale) << tile;
     EXPECT_EQ(other.renderer.statistics().levelsLeftOut, wanted.levelsLeftOut) << tile;
@@ -118,7 +118,7 @@ TEST(DrawsParts, WithTheLevelsAndStepsOfTheWhole)
     }
     EXPECT_LE(off, 1e-5) << tile;
     // Nor does it count what geometry hides of one part.
-    view.depth = hidden.data();
+    view.target.depth = hidden.data();
     EXPECT_EQ(coverage(toImage(view, render(other, view))), 0.0);
     EXPECT_EQ(other.renderer.statistics().stepScale, wanted.stepScale) << tile;
   }

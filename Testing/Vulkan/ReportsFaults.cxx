@@ -101,12 +101,12 @@ TEST_F(ReportsFaults, SaysHowToDrawAPictureThatIsTooLarge)
   const std::vector<float> depth(512 * 512, 1.0f);
   std::vector<glm::vec4> pixels;
   View large = subject.toView(view);
-  large.width = large.height = 512;
+  large.target.width = large.target.height = 512;
   const auto expectAdvice = [&](const std::string& contents, std::uint64_t bytes)
   {
     const std::string fault = subject.renderer.render(large, pixels);
     EXPECT_TRUE(contains(fault, contents + " needs " + std::to_string(bytes) + " bytes")) << fault;
-    EXPECT_TRUE(contains(fault, std::to_string(large.width) + " x ")) << fault;
+    EXPECT_TRUE(contains(fault, std::to_string(large.target.width) + " x ")) << fault;
     EXPECT_TRUE(contains(fault, "make it smaller, or draw it in tiles")) << fault;
     EXPECT_FALSE(contains(fault, "fewer levels")) << fault;
     // A smaller picture is drawn at once: nothing has to be set anew.
@@ -117,15 +117,15 @@ TEST_F(ReportsFaults, SaysHowToDrawAPictureThatIsTooLarge)
   vulkan::faults() = {};
   ASSERT_EQ(subject.renderer.render(large, pixels), ""); // this buffer is kept
   vulkan::faults().availableMemory = 1000000;
-  large.depth = depth.data();
+  large.target.depth = depth.data();
   expectAdvice("the depth buffer", 512 * 512 * sizeof(float));
 
   // Mesa's CPU driver has no buffers of 2^32 bytes: the real thing.
   vulkan::faults() = {};
   if (vulkan::Device::acquire("")->isCpu())
   {
-    large.width = large.height = 16384;
-    large.depth = nullptr;
+    large.target.width = large.target.height = 16384;
+    large.target.depth = nullptr;
     expectAdvice("the picture", std::uint64_t(1) << 32);
   }
 }
@@ -185,7 +185,7 @@ TEST_F(ReportsFaults, NothingIsDrawnWithoutAVolume)
 {
   VolumeRenderer renderer;
   View view;
-  view.width = view.height = 4;
+  view.target.width = view.target.height = 4;
   std::vector<glm::vec4> pixels;
   EXPECT_EQ(renderer.render(view, pixels), "");
   EXPECT_EQ(pixels, std::vector<glm::vec4>(16, glm::vec4(0.0f)));

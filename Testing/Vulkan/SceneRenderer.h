@@ -66,17 +66,17 @@ struct SceneRenderer
     View view;
     glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
     toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure.tree.bounds.lo));
-    view.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-    view.ndcToData = from.ndcToWorld;
-    view.width = from.width;
-    view.height = from.height;
-    view.depth = from.depth.empty() ? nullptr : from.depth.data();
+    view.camera.ndcToHalfCells = toHalfCells * from.ndcToLogical;
+    view.camera.ndcToData = from.ndcToWorld;
+    view.target.width = from.width;
+    view.target.height = from.height;
+    view.target.depth = from.depth.empty() ? nullptr : from.depth.data();
     view.opacityUnitDistance = this->opacityUnitDistance;
-    view.stepScale = this->stepScale;
-    view.errorTolerance = this->errorTolerance;
-    view.levelsLeftOut = this->levelsLeftOut;
-    view.terminationOpacity = this->terminationOpacity;
-    view.reconstruction = this->reconstruction;
+    view.quality.stepScale = this->stepScale;
+    view.quality.errorTolerance = this->errorTolerance;
+    view.quality.levelsLeftOut = this->levelsLeftOut;
+    view.quality.terminationOpacity = this->terminationOpacity;
+    view.quality.reconstruction = this->reconstruction;
     return view;
   }
 

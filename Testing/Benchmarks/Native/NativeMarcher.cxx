@@ -98,9 +98,9 @@ public:
     , Frame(view)
     , Function{ scene.table.bins.data(), scene.table.knots.data(), scene.table.integralUnit,
       1.0f / scene.table.integralUnit }
-    , StepScale(static_cast<float>(view.stepScale))
+    , StepScale(static_cast<float>(view.quality.stepScale))
     , InverseUnit(static_cast<float>(1.0 / view.opacityUnitDistance))
-    , TerminationOpacity(static_cast<float>(view.terminationOpacity))
+    , TerminationOpacity(static_cast<float>(view.quality.terminationOpacity))
     , Stack(scene.depth + 1)
   {
   }
@@ -294,7 +294,7 @@ private:
 
 void checkView(const View& view)
 {
-  if (view.reconstruction != Reconstruction::Basis)
+  if (view.quality.reconstruction != Reconstruction::Basis)
   {
     throw std::invalid_argument("expected a view of the basis reconstruction, the only one here");
   }
@@ -311,7 +311,7 @@ NativeMarcher::~NativeMarcher() = default;
 void NativeMarcher::render(const View& view, int threads, std::vector<glm::vec4>& picture) const
 {
   checkView(view);
-  picture.assign(static_cast<std::size_t>(view.width) * view.height, glm::vec4(0.0f));
+  picture.assign(static_cast<std::size_t>(view.target.width) * view.target.height, glm::vec4(0.0f));
   if (this->Data->nodes.empty())
   {
     return;
@@ -320,13 +320,13 @@ void NativeMarcher::render(const View& view, int threads, std::vector<glm::vec4>
   const auto work = [&]
   {
     Marcher<false, Internals> marcher(*this->Data, view);
-    for (int first; (first = next.fetch_add(RowsOfTile)) < view.height;)
+    for (int first; (first = next.fetch_add(RowsOfTile)) < view.target.height;)
     {
-      for (int y = first; y < std::min(first + RowsOfTile, view.height); ++y)
+      for (int y = first; y < std::min(first + RowsOfTile, view.target.height); ++y)
       {
-        for (int x = 0; x < view.width; ++x)
+        for (int x = 0; x < view.target.width; ++x)
         {
-          picture[static_cast<std::size_t>(y) * view.width + x] =
+          picture[static_cast<std::size_t>(y) * view.target.width + x] =
             load<glm::vec4>(marcher.march(x, y));
         }
       }
@@ -348,9 +348,9 @@ NativeMarcher::Counts NativeMarcher::count(const View& view) const
 {
   checkView(view);
   Marcher<true, Internals> marcher(*this->Data, view);
-  for (int y = 0; y < view.height && !this->Data->nodes.empty(); ++y)
+  for (int y = 0; y < view.target.height && !this->Data->nodes.empty(); ++y)
   {
-    for (int x = 0; x < view.width; ++x)
+    for (int x = 0; x < view.target.width; ++x)
     {
       marcher.march(x, y);
     }

@@ -4,7 +4,10 @@
 #ifndef ExaBricksBenchmarksNativeMarcher_h
 #define ExaBricksBenchmarksNativeMarcher_h
 
-#include "Vulkan/VolumeRenderer.h"
+#include "Core/ActiveRegions.h"
+#include "Core/View.h"
+
+#include <memory>
 
 namespace exabricks
 {

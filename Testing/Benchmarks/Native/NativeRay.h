@@ -3,8 +3,9 @@
 #ifndef ExaBricksBenchmarksNativeRay_h
 #define ExaBricksBenchmarksNativeRay_h
 
+#include "Core/View.h"
+#include "Core/Volume.h"
 #include "NativeVector.h"
-#include "Vulkan/VolumeRenderer.h"
 
 #include <glm/geometric.hpp>
 
@@ -37,16 +38,17 @@ inline float planeDistance(const Ray& ray, int plane, unsigned axis)
 /// The ray of a pixel from `skip` half cells behind its entry into the bounds on. False: a miss.
 inline bool makeRay(const View& view, const glm::ivec3& size, int x, int y, double skip, Ray& ray)
 {
-  const glm::dvec2 ndc(2.0 * (x + 0.5) / view.width - 1.0, 2.0 * (y + 0.5) / view.height - 1.0);
+  const glm::dvec2 ndc(
+    2.0 * (x + 0.5) / view.target.width - 1.0, 2.0 * (y + 0.5) / view.target.height - 1.0);
   double far = 1.0;
-  if (view.depth)
+  if (view.target.depth)
   {
-    far = 2.0 * view.depth[static_cast<std::size_t>(y) * view.width + x] - 1.0;
+    far = 2.0 * view.target.depth[static_cast<std::size_t>(y) * view.target.width + x] - 1.0;
   }
-  const glm::dvec4 a = view.ndcToHalfCells * glm::dvec4(ndc, -1.0, 1.0);
-  const glm::dvec4 b = view.ndcToHalfCells * glm::dvec4(ndc, far, 1.0);
-  const glm::dvec4 dataA = view.ndcToData * glm::dvec4(ndc, -1.0, 1.0);
-  const glm::dvec4 dataB = view.ndcToData * glm::dvec4(ndc, far, 1.0);
+  const glm::dvec4 a = view.camera.ndcToHalfCells * glm::dvec4(ndc, -1.0, 1.0);
+  const glm::dvec4 b = view.camera.ndcToHalfCells * glm::dvec4(ndc, far, 1.0);
+  const glm::dvec4 dataA = view.camera.ndcToData * glm::dvec4(ndc, -1.0, 1.0);
+  const glm::dvec4 dataB = view.camera.ndcToData * glm::dvec4(ndc, far, 1.0);
   const glm::dvec3 origin = glm::dvec3(a) / a.w;
   const glm::dvec3 path = glm::dvec3(b) / b.w - origin;
   const double pathLength = glm::length(path);

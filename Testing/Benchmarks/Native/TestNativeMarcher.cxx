@@ -15,7 +15,7 @@ reference::Image draw(const NativeMarcher& marcher, const View& view, int thread
 {
   std::vector<glm::vec4> pixels;
   marcher.render(view, threads, pixels);
-  return { view.width, view.height, { pixels.begin(), pixels.end() } };
+  return { view.target.width, view.target.height, { pixels.begin(), pixels.end() } };
 }
 }
 
@@ -108,7 +108,7 @@ TEST(TestNativeMarcher, RefusesWhatItCannotDraw)
   const SceneRenderer whole(reference::uniform());
   const NativeMarcher marcher(whole.volume(), whole.transfer);
   View view = whole.toView(whole.look({ 1.0, 0.2, 0.3 }, 30.0, 8));
-  view.reconstruction = Reconstruction::Nearest;
+  view.quality.reconstruction = Reconstruction::Nearest;
   std::vector<glm::vec4> pixels;
   EXPECT_THROW(marcher.render(view, 1, pixels), std::invalid_argument);
   EXPECT_THROW(marcher.count(view), std::invalid_argument);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is asked of a picture: from where, of which size and between which depths, and how well.
+#ifndef ExaBricksCoreView_h
+#define ExaBricksCoreView_h
+
+#include <glm/mat4x4.hpp>
+#include <optional>
+
+namespace exabricks
+{
+enum class Reconstruction
+{
+  Basis,
+  Nearest,
+  Completed // with values that have a layer around each brick (Completion)
+};
+
+/// Where the picture is seen from: a projective map, z of normalised device coordinates in [-1, 1].
+struct Camera
+{
+  glm::dmat4 ndcToHalfCells{ 1.0 }; // to half cells from the lower corner of the data's bounds
+  glm::dmat4 ndcToData{ 1.0 };      // to the data's own coordinates
+};
+
+/// The picture, row 0 at the bottom.
+struct Target
+{
+  int width = 0;  // pixels
+  int height = 0; // pixels
+  /// Window depth in [0, 1] at which rays end, and at which they begin, [height][width]; null: at
+  /// the far plane, and at the near plane. Where the end is not behind the beginning, nothing is
+  /// drawn.
+  const float* depth = nullptr;
+  const float* nearDepth = nullptr;
+
+  /// The whole picture of which this one is a part: a tile, the picture of one eye, or what lies
+  /// between two depths. With an error tolerance, levels and steps are chosen for the whole,
+  /// without regard to depth, so that all its parts have the same.
+  struct Whole
+  {
+    Camera camera;
+    int width = 0;  // pixels
+    int height = 0; // pixels
+  };
+  std::optional<Whole> whole; // none: it is whole
+};
+
+/// How well the picture is drawn.
+struct Quality
+{
+  Reconstruction reconstruction = Reconstruction::Basis;
+  double stepScale = 1.0; // step in cells of the region's finest brick
+  /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
+  /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
+  /// terminationOpacity alone count, and all levels are drawn.
+  double errorTolerance = 0.0;
+  /// So many of the finest levels are left out, and with an errorTolerance that steps are chosen
+  /// for at most so many; none: as many as it allows.
+  std::optional<int> levelsLeftOut;
+  double terminationOpacity = 0.999; // a ray ends at this opacity
+};
+
+struct View
+{
+  Camera camera;
+  Target target;
+  Quality quality;
+  double opacityUnitDistance = 1.0; // length in the data's coordinates
+};
+}
+
+#endif
