@@ -193,22 +193,14 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
     this->Structure = std::move(structure);
   }
   const exabricks::Stopwatch watch;
-  const exabricks::Structure& structure = *this->Structure;
-  contents->Structure = this->Structure;
+  contents->Volume.structure = this->Structure;
   contents->Origin = input.hierarchy.origin;
   contents->Spacing = input.hierarchy.spacing;
   contents->AMRLevel = input.amrLevel;
-  contents->Scalars =
-    exabricks::gatherScalars(input.hierarchy, structure.bricks, source, progress(0.5, 0.95));
-  if (contents->Scalars.values.empty())
+  contents->Volume.values = exabricks::makeValues(*this->Structure, source, progress(0.5, 1.0));
+  if (!contents->Volume.values)
   {
     return nullptr; // aborted
-  }
-  contents->Ranges = exabricks::findValueRanges(
-    structure.tree, structure.bricks, input.hierarchy.cellWidth, contents->Scalars);
-  if (!progress(0.95, 1.0)(1.0))
-  {
-    return nullptr;
   }
   contents->ScalarsTime = watch.seconds();
   return contents;

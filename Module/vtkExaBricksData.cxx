@@ -114,49 +114,49 @@ unsigned long vtkExaBricksData::GetActualMemorySize()
   {
     const Contents& contents = *this->Shared;
     size += static_cast<unsigned long>(
-      (contents.Structure->bytes() + contents.Scalars.values.capacity() * sizeof(float) +
-        contents.Scalars.brickHasAbsentCells.capacity() + contents.Ranges.bytes()) /
-      1024);
+      (contents.Volume.structure->bytes() + contents.Volume.values->bytes()) / 1024);
   }
   return size;
 }
 
 int vtkExaBricksData::GetNumberOfLevels()
 {
-  return this->Shared ? this->Shared->Structure->hierarchy.levels() : 0;
+  return this->Shared ? this->Shared->Volume.structure->hierarchy.levels() : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfBlocks()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->hierarchy.blocks.size())
-                      : 0;
+  return this->Shared
+    ? static_cast<vtkIdType>(this->Shared->Volume.structure->hierarchy.blocks.size())
+    : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfLeafCells()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->leafCells) : 0;
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->leafCells) : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfBricks()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->bricks.size()) : 0;
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->bricks.size()) : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfRegions()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Structure->tree.regions.size()) : 0;
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->tree.regions.size())
+                      : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfAbsentCells()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Scalars.absentCells) : 0;
+  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.values->absentCells) : 0;
 }
 
 void vtkExaBricksData::GetScalarRange(double range[2])
 {
-  const bool empty = !this->Shared || this->Shared->Scalars.range.empty();
-  range[0] = empty ? 1.0 : this->Shared->Scalars.range.min;
-  range[1] = empty ? 0.0 : this->Shared->Scalars.range.max;
+  const bool empty = !this->Shared || this->Shared->Volume.values->range.empty();
+  range[0] = empty ? 1.0 : this->Shared->Volume.values->range.min;
+  range[1] = empty ? 0.0 : this->Shared->Volume.values->range.max;
 }
 
 const char* vtkExaBricksData::GetArrayName()
@@ -170,7 +170,8 @@ void vtkExaBricksData::GetBounds(double bounds[6])
   if (this->Shared)
   {
     const glm::dvec3 lo = this->Shared->World(glm::dvec3(0.0));
-    const glm::dvec3 hi = this->Shared->World(glm::dvec3(this->Shared->Structure->tree.size));
+    const glm::dvec3 hi =
+      this->Shared->World(glm::dvec3(this->Shared->Volume.structure->tree.size));
     for (int axis = 0; axis < 3; ++axis)
     {
       bounds[2 * axis] = lo[axis];
@@ -209,7 +210,7 @@ void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
     return;
   }
   vtkIdType* count = counts->GetPointer(0);
-  for (const float value : this->Shared->Scalars.values)
+  for (const float value : this->Shared->Volume.values->normalized)
   {
     if (value >= 0.0f)
     {
@@ -232,7 +233,8 @@ void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
     return;
   }
   const Contents& contents = *this->Shared;
-  const exabricks::Structure& structure = *contents.Structure;
+  const exabricks::Structure& structure = *contents.Volume.structure;
+  const exabricks::Values& values = *contents.Volume.values;
   const vtkIdType n = this->GetNumberOfBricks();
   auto level = VoxelWriter::MakeArray<vtkIntArray>("Level", 1, n);
   auto cells = VoxelWriter::MakeArray<vtkIntArray>("Cells", 3, n);
@@ -240,22 +242,21 @@ void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
   for (vtkIdType i = 0; i < n; ++i)
   {
     const exabricks::Brick& brick = structure.bricks[i];
-    const exabricks::Box box = brick.box(structure.hierarchy.cellWidth[brick.level]);
+    const exabricks::Box box = structure.box(brick);
     writer.Add(contents.Origin + contents.Spacing * glm::dvec3(box.lo),
       contents.Origin + contents.Spacing * glm::dvec3(box.hi));
     level->SetValue(i, contents.AMRLevel[brick.level]);
     cells->SetTuple3(i, brick.cells.x, brick.cells.y, brick.cells.z);
-    exabricks::ValueRange values;
+    exabricks::ValueRange found;
+    const float* ofBrick = values.ofBrick(static_cast<std::size_t>(i));
     for (std::uint64_t k = 0; k < brick.numberOfCells(); ++k)
     {
-      const float value = contents.Scalars.values[brick.firstValue + k];
-      if (value >= 0.0f)
+      if (ofBrick[k] >= 0.0f)
       {
-        values.min = std::min(values.min, value);
-        values.max = std::max(values.max, value);
+        found.add({ ofBrick[k], ofBrick[k] });
       }
     }
-    setRange(range, i, values, contents.Scalars.range);
+    setRange(range, i, found, values.range);
   }
   writer.Finish();
   output->GetCellData()->AddArray(level);
@@ -276,9 +277,10 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
     return;
   }
   const Contents& contents = *this->Shared;
-  const exabricks::Structure& structure = *contents.Structure;
+  const exabricks::Structure& structure = *contents.Volume.structure;
+  const exabricks::Values& values = *contents.Volume.values;
   const exabricks::TransferFunction transfer =
-    exabricks::makeTransferFunction(opacity, contents.Scalars.range);
+    exabricks::makeTransferFunction(opacity, values.range);
   const vtkIdType n = this->GetNumberOfRegions();
   auto level = VoxelWriter::MakeArray<vtkIntArray>("Level", 1, n);
   auto count = VoxelWriter::MakeArray<vtkIntArray>("BrickCount", 1, n);
@@ -296,8 +298,8 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
     }
     level->SetValue(i, finest);
     count->SetValue(i, static_cast<int>(region.brickCount));
-    setRange(range, i, contents.Ranges.regions[i], contents.Scalars.range);
-    active->SetValue(i, region.brickCount > 0 && transfer.visible(contents.Ranges.regions[i]));
+    setRange(range, i, values.ranges.regions[i], values.range);
+    active->SetValue(i, region.brickCount > 0 && transfer.visible(values.ranges.regions[i]));
   }
   writer.Finish();
   output->GetCellData()->AddArray(level);

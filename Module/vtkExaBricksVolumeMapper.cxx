@@ -53,16 +53,9 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::Compositor Compositor;
   exabricks::DrawnRenderers Drawn;
 
-  // Of the COMPLETED reconstruction: made of the builder's output when it is asked for.
-  struct CompletedLevels
-  {
-    exabricks::Completion Completion;
-    exabricks::ValueRanges Ranges;
-  };
-  std::unique_ptr<const CompletedLevels> Completed;
-
   // What the renderer was last given.
   std::shared_ptr<const vtkExaBricksData::Contents> Contents;
+  bool Completed = false;                // its values
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
 
@@ -96,7 +89,6 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   {
     this->Renderer.setVolume({});
     this->Contents.reset();
-    this->Completed.reset();
   }
 
   // Null: there is nothing to draw.
@@ -113,7 +105,6 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property, int components);
   // Points the builder to the mapper's input and array; returns why it cannot.
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
-  void CompleteLevels(const vtkExaBricksData::Contents& contents);
   // Hands the renderer what has changed. Throws std::bad_alloc.
   void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property,
     const std::shared_ptr<const vtkExaBricksData::Contents>& contents);
@@ -193,19 +184,6 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
   return {};
 }
 
-void vtkExaBricksVolumeMapper::vtkInternals::CompleteLevels(
-  const vtkExaBricksData::Contents& contents)
-{
-  const exabricks::Structure& structure = *contents.Structure;
-  const std::vector<std::int64_t>& cellWidth = structure.hierarchy.cellWidth;
-  auto levels = std::make_unique<CompletedLevels>();
-  levels->Completion =
-    exabricks::complete(structure.tree, structure.bricks, cellWidth, contents.Scalars);
-  levels->Ranges = exabricks::findValueRanges(
-    structure.tree, levels->Completion.bricks, cellWidth, levels->Completion.scalars);
-  this->Completed = std::move(levels);
-}
-
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMapper* self,
   vtkVolumeProperty* property, const std::shared_ptr<const vtkExaBricksData::Contents>& contents)
 {
@@ -213,29 +191,25 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMa
   this->Renderer.selectDevice(self->Device ? self->Device : "");
   const bool newData = contents != this->Contents;
   const bool completed = self->Reconstruction == COMPLETED;
-  if (newData || completed != static_cast<bool>(this->Completed))
+  if (newData || completed != this->Completed)
   {
-    const exabricks::Structure& structure = *contents->Structure;
-    exabricks::Volume volume{ &structure.tree, &structure.bricks, &structure.hierarchy.cellWidth,
-      &contents->Scalars, &contents->Ranges };
+    // The former one goes first, as completing the levels takes memory.
     this->Renderer.setVolume({});
-    this->Completed.reset();
+    exabricks::Volume volume = contents->Volume;
     if (completed)
     {
-      this->CompleteLevels(*contents);
-      volume.bricks = &this->Completed->Completion.bricks;
-      volume.scalars = &this->Completed->Completion.scalars;
-      volume.ranges = &this->Completed->Ranges;
+      volume.values = exabricks::complete(*volume.structure, *volume.values);
     }
-    this->Renderer.setVolume(volume);
+    this->Renderer.setVolume(std::move(volume));
     this->Contents = contents;
+    this->Completed = completed;
   }
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
   {
     // Nodes are normalised to the range of the data, so new data want new tables too.
     this->Property = property;
     this->Renderer.setTransferFunction(
-      exabricks::makeTransferFunction(property, contents->Scalars.range));
+      exabricks::makeTransferFunction(property, contents->Volume.values->range));
     // Now, as discretised functions make tables when they are asked, and are modified by that.
     this->PropertyTime = property->GetMTime();
   }

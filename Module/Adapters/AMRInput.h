@@ -3,7 +3,8 @@
 #ifndef ExaBricksAdaptersAMRInput_h
 #define ExaBricksAdaptersAMRInput_h
 
-#include "Core/Scalars.h"
+#include "Core/CellSource.h"
+#include "Core/Hierarchy.h"
 
 #include "vtkSmartPointer.h"
 

@@ -3,18 +3,15 @@
 #ifndef ExaBricksAdaptersDataContents_h
 #define ExaBricksAdaptersDataContents_h
 
-#include "Core/Structure.h"
-#include "Core/ValueRanges.h"
+#include "Core/Volume.h"
 #include "vtkExaBricksData.h"
 
 struct vtkExaBricksData::Contents
 {
-  std::shared_ptr<const exabricks::Structure> Structure;
+  exabricks::Volume Volume;
   glm::dvec3 Origin{ 0.0 };  // world position of logical (0, 0, 0)
   glm::dvec3 Spacing{ 1.0 }; // world size of a finest cell
   std::vector<int> AMRLevel; // of each level of the hierarchy, which leaves out empty ones
-  exabricks::Scalars Scalars;
-  exabricks::ValueRanges Ranges;
   std::string ArrayName;
   int Components = 1;         // of the array
   double StructureTime = 0.0; // s
@@ -24,7 +21,7 @@ struct vtkExaBricksData::Contents
   glm::dvec3 World(const glm::dvec3& halfCells) const
   {
     return this->Origin +
-      this->Spacing * (glm::dvec3(this->Structure->tree.bounds.lo) + 0.5 * halfCells);
+      this->Spacing * (glm::dvec3(this->Volume.structure->tree.bounds.lo) + 0.5 * halfCells);
   }
 };
 

@@ -4,6 +4,7 @@
 #ifndef ExaBricksAdaptersTransferFunctionInput_h
 #define ExaBricksAdaptersTransferFunctionInput_h
 
+#include "Core/Range.h"
 #include "Core/TransferFunction.h"
 
 class vtkPiecewiseFunction;

@@ -14,10 +14,12 @@ constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF 
 class Selection
 {
 public:
-  Selection(
-    const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
-    : Tree(*volume.tree)
-    , Subject(volume)
+  Selection(const Volume& volume, const ValueRanges& ranges, const TransferFunction& transfer,
+    const StepWeights* weights, bool boxes)
+    : Subject(*volume.structure)
+    , Tree(volume.structure->tree)
+    , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
+    , Ranges(ranges)
     , Transfer(transfer)
     , Weights(weights)
     , WantsBoxes(boxes)
@@ -64,20 +66,20 @@ private:
         [&] { return this->Select(index + 1); });
     }
     const layout::Region& region = this->Tree.regions[index];
-    const std::vector<MacrocellGrid>& grids = this->Subject.ranges->grids;
+    const std::vector<MacrocellGrid>& grids = this->Ranges.grids;
     // Leaves come in the order of regions, as grids do.
     while (this->NextGrid < grids.size() && grids[this->NextGrid].region < index)
     {
       ++this->NextGrid;
     }
-    if (region.brickCount == 0 || !this->Transfer.visible(this->Subject.ranges->regions[index]))
+    if (region.brickCount == 0 || !this->Transfer.visible(this->Ranges.regions[index]))
     {
       return Nothing;
     }
     ++this->Result.regions;
     if (this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
     {
-      return this->Show(region, region.lo, region.hi, this->Subject.ranges->regions[index]);
+      return this->Show(region, region.lo, region.hi, this->Ranges.regions[index]);
     }
     const MacrocellGrid& grid = grids[this->NextGrid];
     return this->Cut(region, grid, glm::ivec3(0), grid.count(region));
@@ -100,8 +102,8 @@ private:
         for (int x = begin.x; x < end.x; ++x)
         {
           const ValueRange& values =
-            this->Subject.ranges
-              ->macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)];
+            this->Ranges
+              .macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)];
           const bool shown = this->Transfer.visible(values);
           if (shown)
           {
@@ -154,8 +156,8 @@ private:
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
       const std::uint32_t brick = this->Tree.brickLists[region.firstBrick + k];
-      width = std::min(width, (*this->Subject.cellWidth)[(*this->Subject.bricks)[brick].level]);
-      absent = absent || this->Subject.scalars->brickHasAbsentCells[brick];
+      width = std::min(width, this->Subject.width(this->Subject.bricks[brick]));
+      absent = absent || this->BrickHasAbsentCells[brick];
     }
     const double cells =
       this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;
@@ -171,8 +173,10 @@ private:
     return leaf;
   }
 
+  const Structure& Subject;
   const RegionTree& Tree;
-  const Volume& Subject;
+  const std::vector<unsigned char>& BrickHasAbsentCells;
+  const ValueRanges& Ranges;
   const TransferFunction& Transfer;
   const StepWeights* Weights;
   const bool WantsBoxes;
@@ -184,7 +188,15 @@ private:
 ActiveRegions selectActiveRegions(
   const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
 {
-  return Selection(volume, transfer, weights, boxes).take();
+  return Selection(volume, volume.values->ranges, transfer, weights, boxes).take();
+}
+
+ActiveRegions selectAllRegions(const Volume& volume, bool boxes)
+{
+  ValueRanges whole;
+  whole.regions.assign(volume.structure->tree.regions.size(), { 0.0f, 1.0f });
+  const TransferFunction opaque({ { 0.0, glm::dvec4(1.0) } });
+  return Selection(volume, whole, opaque, nullptr, boxes).take();
 }
 
 void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)

@@ -25,6 +25,9 @@ struct ActiveRegions
 ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
   const StepWeights* weights = nullptr, bool boxes = true);
 
+/// The same with each region that has bricks, as a whole, whatever its values: for comparisons.
+ActiveRegions selectAllRegions(const Volume& volume, bool boxes = true);
+
 /// Orders `boxes` by recursive median splits along the longest axis of their centres. Builders that
 /// halve the array of boxes as given (Mesa's) make a good hierarchy of it.
 void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes);

@@ -103,8 +103,7 @@ private:
           brick.lo = box.lo + first * width;
           brick.cells = glm::ivec3(last - first);
           brick.level = level;
-          brick.firstValue = this->Values;
-          this->Values += brick.numberOfCells();
+          this->Cells += brick.numberOfCells();
           this->Bricks.push_back(brick);
         }
       }
@@ -112,7 +111,7 @@ private:
     if (this->Report && this->Bricks.size() >= this->NextReport)
     {
       this->NextReport = this->Bricks.size() + 1024;
-      this->Aborted = !this->Report(static_cast<double>(this->Values) / this->Leaves.cells);
+      this->Aborted = !this->Report(static_cast<double>(this->Cells) / this->Leaves.cells);
     }
   }
 
@@ -234,7 +233,7 @@ private:
   const int MaximumCells;
   const Progress& Report;
   std::vector<Brick> Bricks;
-  std::uint64_t Values = 0;
+  std::uint64_t Cells = 0; // of the bricks so far
   std::size_t NextReport = 1024;
   bool Aborted = false;
   // scratch of Choose

@@ -15,7 +15,6 @@ struct Brick
   Int3 lo{ 0 };          // logical
   glm::ivec3 cells{ 0 }; // along each axis
   int level = 0;
-  std::uint64_t firstValue = 0; // of its values in the brick-ordered scalars, x runs fastest
 
   std::uint64_t numberOfCells() const
   {

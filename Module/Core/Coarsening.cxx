@@ -4,7 +4,6 @@
 #include "Core/BoxIndex.h"
 #include "Core/Completion.h"
 #include "Core/FirstException.h"
-#include "Core/Structure.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <omp.h>
@@ -14,21 +13,20 @@ namespace exabricks
 namespace
 {
 // The bricks are the blocks: those of the finest level in cells of the next one.
-Hierarchy withoutFinestLevel(const Volume& volume)
+Hierarchy withoutFinestLevel(const Structure& structure)
 {
-  const std::vector<std::int64_t>& width = *volume.cellWidth;
-  const int coarsest = static_cast<int>(width.size()) - 2;
+  const std::vector<std::int64_t>& width = structure.hierarchy.cellWidth;
+  const int coarsest = structure.hierarchy.levels() - 2;
   Hierarchy hierarchy;
   for (int level = 0; level <= coarsest; ++level)
   {
     hierarchy.cellWidth.push_back(width[level] / width[coarsest]);
   }
-  hierarchy.blocks.reserve(volume.bricks->size());
-  for (const Brick& brick : *volume.bricks)
+  hierarchy.blocks.reserve(structure.bricks.size());
+  for (const Brick& brick : structure.bricks)
   {
     const int level = std::min(brick.level, coarsest);
-    hierarchy.blocks.push_back(
-      { level, outwardToCells(brick.box(width[brick.level]), width[level]) });
+    hierarchy.blocks.push_back({ level, outwardToCells(structure.box(brick), width[level]) });
   }
   return hierarchy;
 }
@@ -38,8 +36,9 @@ class Averager
 {
 public:
   explicit Averager(const Volume& from)
-    : From(from)
-    , Index(BoxesOf(from))
+    : Grid(*from.structure)
+    , Given(*from.values)
+    , Index(BoxesOf(*from.structure))
   {
   }
 
@@ -63,29 +62,29 @@ public:
     std::sort(scratch.bricks.begin(), scratch.bricks.end());
     for (const int i : scratch.bricks)
     {
-      this->Add((*this->From.bricks)[i], box, width, n, scratch);
+      this->Add(static_cast<std::size_t>(i), box, width, n, scratch);
     }
   }
 
 private:
-  static std::vector<Box> BoxesOf(const Volume& volume)
+  static std::vector<Box> BoxesOf(const Structure& structure)
   {
     std::vector<Box> boxes;
-    boxes.reserve(volume.bricks->size());
-    for (const Brick& brick : *volume.bricks)
+    boxes.reserve(structure.bricks.size());
+    for (const Brick& brick : structure.bricks)
     {
-      boxes.push_back(brick.box((*volume.cellWidth)[brick.level]));
+      boxes.push_back(structure.box(brick));
     }
     return boxes;
   }
 
-  void Add(
-    const Brick& brick, const Box& box, std::int64_t width, const Int3& n, Scratch& scratch) const
+  void Add(std::size_t b, const Box& box, std::int64_t width, const Int3& n, Scratch& scratch) const
   {
-    const std::int64_t own = (*this->From.cellWidth)[brick.level];
-    const int layer = this->From.scalars->layer;
+    const Brick& brick = this->Grid.bricks[b];
+    const std::int64_t own = this->Grid.width(brick);
+    const int layer = this->Given.layer;
     const Int3 stored(brick.cells + 2 * layer);
-    const float* values = this->From.scalars->values.data() + brick.firstValue;
+    const float* values = this->Given.ofBrick(b);
     // Cells of one are whole ones of the other; all that lie in a cell are of one level, as leaf
     // boxes that would end in it are cut into the finest cells.
     const std::int64_t step = std::min(own, width);
@@ -111,29 +110,31 @@ private:
     }
   }
 
-  const Volume From;
+  const Structure& Grid;
+  const Values& Given;
   const BoxIndex Index;
 };
 
-Scalars average(const Volume& from, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, std::int64_t factor)
+// `factor`: width of the structure's finest cells in those of the volume.
+Values average(const Volume& from, const Structure& structure, std::int64_t factor)
 {
-  Scalars scalars;
-  scalars.range = from.scalars->range;
-  const std::uint64_t cells = bricks.back().firstValue + bricks.back().numberOfCells();
-  scalars.values.resize(cells);
-  scalars.brickHasAbsentCells.assign(bricks.size(), 0);
+  Values values;
+  values.range = from.values->range;
+  values.firstValue = findFirstValues(structure.bricks, values.layer);
+  const std::uint64_t cells = values.firstValue.back();
+  values.normalized.resize(cells);
+  values.brickHasAbsentCells.assign(structure.bricks.size(), 0);
   const Averager averager(from);
   std::vector<Averager::Scratch> scratches(omp_get_max_threads());
   std::uint64_t absentCells = 0;
   // Returns how many of the brick's cells are absent.
   const auto averageBrick = [&](std::size_t b) -> std::uint64_t
   {
-    const Brick& brick = bricks[b];
-    const std::int64_t width = cellWidth[brick.level];
+    const Brick& brick = structure.bricks[b];
     Averager::Scratch& scratch = scratches[omp_get_thread_num()];
-    averager.average(scaled(brick.box(width), factor), width * factor, scratch);
-    float* to = scalars.values.data() + brick.firstValue;
+    averager.average(
+      scaled(structure.box(brick), factor), structure.width(brick) * factor, scratch);
+    float* to = values.normalized.data() + values.firstValue[b];
     std::uint64_t absent = 0;
     for (std::size_t i = 0; i < scratch.sum.size(); ++i)
     {
@@ -141,49 +142,52 @@ Scalars average(const Volume& from, const std::vector<Brick>& bricks,
       *to++ = there ? static_cast<float>(scratch.sum[i] / scratch.count[i]) : layout::ABSENT;
       absent += !there;
     }
-    scalars.brickHasAbsentCells[b] = absent > 0;
+    values.brickHasAbsentCells[b] = absent > 0;
     return absent;
   };
   FirstException failure;
 #pragma omp parallel for schedule(dynamic, 2) reduction(+ : absentCells) if (cells > ParallelCells)
-  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(structure.bricks.size()); ++b)
   {
     failure.guard([&] { absentCells += averageBrick(static_cast<std::size_t>(b)); });
   }
   failure.rethrow();
-  scalars.absentCells = absentCells;
-  return scalars;
-}
+  values.absentCells = absentCells;
+  return values;
 }
 
-std::unique_ptr<const CoarserVolume> coarsen(const Volume& volume)
+// Width of the finest cells that are left when the finest level is left out.
+std::int64_t factorOf(const Structure& finer)
 {
-  const std::size_t levels = volume.cellWidth->size();
-  if (levels < 2 || volume.bricks->empty())
-  {
-    return nullptr;
-  }
-  const std::int64_t factor = (*volume.cellWidth)[levels - 2];
-  Structure structure = buildStructure(withoutFinestLevel(volume));
-  auto coarser = std::make_unique<CoarserVolume>();
-  coarser->cellWidth = std::move(structure.hierarchy.cellWidth);
-  coarser->bricks = std::move(structure.bricks);
-  coarser->tree = std::move(structure.tree);
-  coarser->scalars = average(volume, coarser->bricks, coarser->cellWidth, factor);
-  if (volume.scalars->layer > 0)
-  {
-    Completion completion =
-      complete(coarser->tree, coarser->bricks, coarser->cellWidth, coarser->scalars);
-    coarser->bricks = std::move(completion.bricks);
-    coarser->scalars = std::move(completion.scalars);
-  }
-  coarser->ranges =
-    findValueRanges(coarser->tree, coarser->bricks, coarser->cellWidth, coarser->scalars);
+  return finer.hierarchy.cellWidth[finer.hierarchy.cellWidth.size() - 2];
+}
+}
 
-  glm::dmat4& matrix = coarser->fromHalfCells;
-  matrix = glm::translate(matrix, -2.0 * glm::dvec3(coarser->tree.bounds.lo));
-  matrix = glm::scale(matrix, glm::dvec3(1.0 / static_cast<double>(factor)));
-  matrix = glm::translate(matrix, 2.0 * glm::dvec3(volume.tree->bounds.lo));
+std::optional<CoarserStructure> coarsen(const Structure& finer)
+{
+  if (finer.hierarchy.levels() < 2 || finer.bricks.empty())
+  {
+    return std::nullopt;
+  }
+  Structure structure = buildStructure(withoutFinestLevel(finer));
+  structure.hierarchy.blocks = {};
+  CoarserStructure coarser;
+  glm::dmat4& matrix = coarser.fromHalfCells;
+  matrix = glm::translate(matrix, -2.0 * glm::dvec3(structure.tree.bounds.lo));
+  matrix = glm::scale(matrix, glm::dvec3(1.0 / static_cast<double>(factorOf(finer))));
+  matrix = glm::translate(matrix, 2.0 * glm::dvec3(finer.tree.bounds.lo));
+  coarser.structure = std::make_shared<const Structure>(std::move(structure));
   return coarser;
+}
+
+std::shared_ptr<const Values> coarsen(const Volume& finer, const Structure& coarser)
+{
+  Values values = average(finer, coarser, factorOf(*finer.structure));
+  if (finer.values->layer > 0)
+  {
+    return complete(coarser, values);
+  }
+  values.ranges = findValueRanges(coarser, values);
+  return std::make_shared<const Values>(std::move(values));
 }
 }

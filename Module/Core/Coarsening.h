@@ -6,30 +6,26 @@
 #include "Core/Volume.h"
 
 #include <glm/mat4x4.hpp>
-#include <memory>
+#include <optional>
 
 namespace exabricks
 {
-struct CoarserVolume
+struct CoarserStructure
 {
-  RegionTree tree;
-  std::vector<Brick> bricks;
-  std::vector<std::int64_t> cellWidth;
-  Scalars scalars; // normalised as those of the volume it was made from
-  ValueRanges ranges;
-  /// From half cells of the volume it was made from to its own.
+  /// Its hierarchy has no blocks, as nothing is read for it.
+  std::shared_ptr<const Structure> structure;
+  /// From half cells of the structure it was made from to its own.
   glm::dmat4 fromHalfCells{ 1.0 };
-
-  Volume volume() const
-  {
-    return { &this->tree, &this->bricks, &this->cellWidth, &this->scalars, &this->ranges };
-  }
 };
 
-/// The cells of the finest level give way to those of the next one, each with the mean of all that
-/// lies in it; absent cells do not count. Completed, if the volume is. Null if it has
-/// one level alone.
-std::unique_ptr<const CoarserVolume> coarsen(const Volume& volume);
+/// The cells of the finest level give way to those of the next one. None if it has one level alone.
+/// Depends on the boxes alone: it serves every array and time step of the structure.
+std::optional<CoarserStructure> coarsen(const Structure& finer);
+
+/// The values of the structure that coarsen() made of the volume's: each cell has the mean of all
+/// that lies in it; absent cells do not count. Normalised as those of the volume, and completed if
+/// they are.
+std::shared_ptr<const Values> coarsen(const Volume& finer, const Structure& coarser);
 }
 
 #endif

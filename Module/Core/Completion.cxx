@@ -39,13 +39,12 @@ glm::dvec3 solve(glm::dmat3 matrix, const glm::dvec3& right)
 class Completer
 {
 public:
-  Completer(const RegionTree& tree, const std::vector<Brick>& bricks,
-    const std::vector<std::int64_t>& cellWidth, const Scalars& scalars,
-    const std::vector<glm::ivec3>& origins)
-    : Tree(tree)
-    , Bricks(bricks)
-    , CellWidth(cellWidth)
-    , Values(scalars.values)
+  Completer(
+    const Structure& structure, const Values& values, const std::vector<glm::ivec3>& origins)
+    : Grid(structure)
+    , Tree(structure.tree)
+    , Bricks(structure.bricks)
+    , Given(values)
     , Origins(origins)
   {
   }
@@ -54,7 +53,7 @@ public:
   bool complete(int b, float* to)
   {
     const glm::ivec3 n = this->Bricks[b].cells;
-    const float* from = this->Values.data() + this->Bricks[b].firstValue;
+    const float* from = this->Given.ofBrick(b);
     bool absent = false;
     glm::ivec3 c;
     for (c.z = -1; c.z <= n.z; ++c.z)
@@ -75,7 +74,7 @@ public:
   }
 
 private:
-  int Width(int b) const { return static_cast<int>(this->CellWidth[this->Bricks[b].level]); }
+  int Width(int b) const { return static_cast<int>(this->Grid.width(this->Bricks[b])); }
 
   glm::ivec3 Center(const Cell& cell) const
   {
@@ -85,7 +84,7 @@ private:
   float Value(const Cell& cell) const
   {
     const Brick& brick = this->Bricks[cell.brick];
-    return this->Values[brick.firstValue + cell.at.x +
+    return this->Given.ofBrick(cell.brick)[cell.at.x +
       brick.cells.x * (cell.at.y + static_cast<std::size_t>(brick.cells.y) * cell.at.z)];
   }
 
@@ -186,8 +185,9 @@ private:
       }
       return;
     }
-    const int width = static_cast<int>(this->CellWidth[level + 1]);
-    const int n = static_cast<int>(this->CellWidth[level]) / width;
+    const std::vector<std::int64_t>& cellWidth = this->Grid.hierarchy.cellWidth;
+    const int width = static_cast<int>(cellWidth[level + 1]);
+    const int n = static_cast<int>(cellWidth[level]) / width;
     for (int i = 0; i < n * n; ++i)
     {
       glm::ivec3 part = corner;
@@ -294,10 +294,10 @@ private:
     return count > 0 ? static_cast<float>(sum / count) : layout::ABSENT;
   }
 
+  const Structure& Grid;
   const RegionTree& Tree;
   const std::vector<Brick>& Bricks;
-  const std::vector<std::int64_t>& CellWidth;
-  const std::vector<float>& Values;
+  const Values& Given;
   const std::vector<glm::ivec3>& Origins;
   int Last = -1; // brick found last
   Cell Fitted;   // of Extend
@@ -305,45 +305,39 @@ private:
 };
 }
 
-Completion complete(const RegionTree& tree, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars)
+std::shared_ptr<const Values> complete(const Structure& structure, const Values& values)
 {
-  Completion completion;
-  completion.bricks = bricks;
-  std::uint64_t count = 0;
-  for (Brick& brick : completion.bricks)
-  {
-    brick.firstValue = count;
-    count += brick.numberOfValues(1);
-  }
-  Scalars& completed = completion.scalars;
-  completed.layer = 1;
-  completed.range = scalars.range;
-  completed.absentCells = scalars.absentCells;
-  completed.values.resize(count);
-  completed.brickHasAbsentCells.resize(bricks.size());
+  const std::vector<Brick>& bricks = structure.bricks;
+  auto completed = std::make_shared<Values>();
+  completed->layer = 1;
+  completed->range = values.range;
+  completed->absentCells = values.absentCells;
+  completed->firstValue = findFirstValues(bricks, completed->layer);
+  completed->normalized.resize(completed->firstValue.back());
+  completed->brickHasAbsentCells.resize(bricks.size());
   std::vector<glm::ivec3> origins;
   origins.reserve(bricks.size());
   for (const Brick& brick : bricks)
   {
-    origins.emplace_back((brick.lo - tree.bounds.lo) * std::int64_t(2));
+    origins.emplace_back((brick.lo - structure.tree.bounds.lo) * std::int64_t(2));
   }
   FirstException failure;
-#pragma omp parallel if (count > ParallelCells)
+#pragma omp parallel if (completed->normalized.size() > ParallelCells)
   {
-    Completer completer(tree, bricks, cellWidth, scalars, origins);
+    Completer completer(structure, values, origins);
 #pragma omp for schedule(dynamic, 2)
     for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(bricks.size()); ++b)
     {
       failure.guard(
         [&]
         {
-          completed.brickHasAbsentCells[b] = completer.complete(
-            static_cast<int>(b), completed.values.data() + completion.bricks[b].firstValue);
+          completed->brickHasAbsentCells[b] = completer.complete(
+            static_cast<int>(b), completed->normalized.data() + completed->firstValue[b]);
         });
     }
   }
   failure.rethrow();
-  return completion;
+  completed->ranges = findValueRanges(structure, *completed);
+  return completed;
 }
 }

@@ -6,22 +6,16 @@
 #ifndef ExaBricksCoreCompletion_h
 #define ExaBricksCoreCompletion_h
 
-#include "Core/Scalars.h"
+#include "Core/Values.h"
 
 namespace exabricks
 {
-struct Completion
-{
-  std::vector<Brick> bricks; // as they were, but for firstValue
-  Scalars scalars;           // with a layer of 1
-};
-
-/// A layer cell that is no leaf cell of its level gets the mean of what the leaf cells say that
-/// hold its centre, each by its plane through the cells across its faces. Beyond the bounds, the
-/// value of the next one within: the value stays. In holes, the mean of the nearest cells of its
-/// level. Where all of these are absent, so is it. All stay in the range of the data.
-Completion complete(const RegionTree& tree, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars);
+/// `values`, which have no layer, with a layer of 1, and their ranges. A layer cell that is no leaf
+/// cell of its level gets the mean of what the leaf cells say that hold its centre, each by its
+/// plane through the cells across its faces. Beyond the bounds, the value of the next one within:
+/// the value stays. In holes, the mean of the nearest cells of its level. Where all of these are
+/// absent, so is it. All stay in the range of the data.
+std::shared_ptr<const Values> complete(const Structure& structure, const Values& values);
 }
 
 #endif

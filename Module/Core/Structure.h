@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that depends on the hierarchy's boxes alone, and not on values: kept as long as they are.
+// All that depends on the hierarchy's boxes alone, and not on values: it is kept as long as the
+// boxes stay the same, and serves plain values and completed ones alike.
 #ifndef ExaBricksCoreStructure_h
 #define ExaBricksCoreStructure_h
 
@@ -15,6 +16,10 @@ struct Structure
   std::vector<Brick> bricks;
   RegionTree tree;
 
+  /// Width of the brick's cells, in finest cells.
+  std::int64_t width(const Brick& brick) const { return this->hierarchy.cellWidth[brick.level]; }
+  /// Logical.
+  Box box(const Brick& brick) const { return brick.box(this->width(brick)); }
   /// Of bricks, regions, lists and tree.
   std::uint64_t bytes() const
   {
@@ -26,27 +31,7 @@ struct Structure
 };
 
 /// Leaf boxes, bricks and regions. No regions if `progress` aborts.
-inline Structure buildStructure(Hierarchy hierarchy, const Progress& progress = {})
-{
-  Structure structure;
-  structure.hierarchy = std::move(hierarchy);
-  const std::vector<std::int64_t>& width = structure.hierarchy.cellWidth;
-  const auto part = [&](double from, double to) -> Progress
-  {
-    return !progress ? Progress() : [&progress, from, to](double done) {
-      return progress(from + (to - from) * done);
-    };
-  };
-  const LeafBoxes leaves = findLeafBoxes(structure.hierarchy, part(0.0, 0.3));
-  structure.leafCells = leaves.cells;
-  structure.partlyCoveredBoxes = leaves.partlyCoveredBoxes;
-  structure.bricks = buildBricks(leaves, width, DefaultBrickCells, part(0.3, 0.5));
-  if (!structure.bricks.empty())
-  {
-    structure.tree = buildRegions(structure.bricks, leaves.bounds, width, {}, part(0.5, 1.0));
-  }
-  return structure;
-}
+Structure buildStructure(Hierarchy hierarchy, const Progress& progress = {});
 }
 
 #endif

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ValueRanges.h"
 
+#include "Core/Values.h"
+
 namespace exabricks
 {
 namespace
 {
 struct Finder
 {
-  const RegionTree& tree;
-  const std::vector<Brick>& bricks;
-  const std::vector<std::int64_t>& cellWidth;
-  const Scalars& scalars;
+  const Structure& structure;
+  const Values& values;
 
   // Of a box, half cells, inside a region.
   ValueRange find(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi) const
@@ -18,8 +18,7 @@ struct Finder
     ValueRange range;
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
-      this->Add(
-        this->bricks[this->tree.brickLists[region.firstBrick + k]], Int3(lo), Int3(hi), range);
+      this->Add(this->structure.tree.brickLists[region.firstBrick + k], Int3(lo), Int3(hi), range);
     }
     return range;
   }
@@ -30,18 +29,19 @@ struct Finder
     std::int64_t width = std::numeric_limits<int>::max();
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
-      width = std::min(width,
-        2 * this->cellWidth[this->bricks[this->tree.brickLists[region.firstBrick + k]].level]);
+      const std::uint32_t brick = this->structure.tree.brickLists[region.firstBrick + k];
+      width = std::min(width, 2 * this->structure.width(this->structure.bricks[brick]));
     }
     return static_cast<int>(width);
   }
 
 private:
-  void Add(const Brick& brick, const Int3& lo, const Int3& hi, ValueRange& range) const
+  void Add(std::uint32_t b, const Int3& lo, const Int3& hi, ValueRange& range) const
   {
-    const int layer = this->scalars.layer;
-    const std::int64_t width = this->cellWidth[brick.level];
-    const Int3 origin = (brick.lo - this->tree.bounds.lo) * std::int64_t(2);
+    const Brick& brick = this->structure.bricks[b];
+    const int layer = this->values.layer;
+    const std::int64_t width = this->structure.width(brick);
+    const Int3 origin = (brick.lo - this->structure.tree.bounds.lo) * std::int64_t(2);
     // Cell i's tent spans (2 i - 1, 2 i + 3) widths in half cells from the brick's corner.
     glm::ivec3 first, last;
     for (int axis = 0; axis < 3; ++axis)
@@ -56,12 +56,12 @@ private:
     first += layer;
     last += layer;
     const glm::ivec3 n = brick.cells + 2 * layer;
-    const float* values = this->scalars.values.data() + brick.firstValue;
+    const float* of = this->values.ofBrick(b);
     for (int z = first.z; z < last.z; ++z)
     {
       for (int y = first.y; y < last.y; ++y)
       {
-        const float* row = values + n.x * (y + static_cast<std::size_t>(n.y) * z);
+        const float* row = of + n.x * (y + static_cast<std::size_t>(n.y) * z);
         for (int x = first.x; x < last.x; ++x)
         {
           const float value = row[x];
@@ -74,10 +74,10 @@ private:
 };
 }
 
-ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars, int macrocellCells)
+ValueRanges findValueRanges(const Structure& structure, const Values& values, int macrocellCells)
 {
-  const Finder finder{ tree, bricks, cellWidth, scalars };
+  const RegionTree& tree = structure.tree;
+  const Finder finder{ structure, values };
   ValueRanges ranges;
   ranges.regions.resize(tree.regions.size());
   std::vector<std::ptrdiff_t> gridOf(tree.regions.size(), -1);
@@ -102,7 +102,7 @@ ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& br
   ranges.grids.shrink_to_fit();
   ranges.macrocells.resize(count);
   // Nothing in it throws.
-#pragma omp parallel for schedule(dynamic, 64) if (scalars.values.size() > ParallelCells)
+#pragma omp parallel for schedule(dynamic, 64) if (values.normalized.size() > ParallelCells)
   for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
   {
     const layout::Region& region = tree.regions[r];

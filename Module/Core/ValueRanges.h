@@ -4,10 +4,15 @@
 #ifndef ExaBricksCoreValueRanges_h
 #define ExaBricksCoreValueRanges_h
 
-#include "Core/Scalars.h"
+#include "Core/Regions.h"
+
+#include <limits>
 
 namespace exabricks
 {
+struct Structure;
+struct Values;
+
 /// Least and greatest normalised value; empty: min > max.
 struct ValueRange
 {
@@ -59,9 +64,9 @@ struct ValueRanges
   }
 };
 
-ValueRanges findValueRanges(const RegionTree& tree, const std::vector<Brick>& bricks,
-  const std::vector<std::int64_t>& cellWidth, const Scalars& scalars,
-  int macrocellCells = MacrocellCells);
+/// Of a structure and its values, which need no ranges yet.
+ValueRanges findValueRanges(
+  const Structure& structure, const Values& values, int macrocellCells = MacrocellCells);
 }
 
 #endif

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that is drawn of a data set.
+// All that is drawn of a data set: its structure, and the values of one array at one time step.
 #ifndef ExaBricksCoreVolume_h
 #define ExaBricksCoreVolume_h
 
-#include "Core/ValueRanges.h"
+#include "Core/Values.h"
 
 namespace exabricks
 {
-/// Bricks, regions and values to draw. Nothing is copied: all must live as long as it is set.
+/// Both parts are shared and never change. Another array or time step on equal boxes has other
+/// values on the same structure.
 struct Volume
 {
-  const RegionTree* tree = nullptr;
-  const std::vector<Brick>* bricks = nullptr;
-  const std::vector<std::int64_t>* cellWidth = nullptr;
-  const Scalars* scalars = nullptr;
-  const ValueRanges* ranges = nullptr;
+  std::shared_ptr<const Structure> structure;
+  std::shared_ptr<const Values> values;
+
+  /// Whether there is anything to draw.
+  explicit operator bool() const { return this->structure && this->values; }
 };
 }
 

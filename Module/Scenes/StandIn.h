@@ -9,7 +9,9 @@
 #ifndef ExaBricksScenesStandIn_h
 #define ExaBricksScenesStandIn_h
 
-#include "Core/Scalars.h"
+#include "Core/CellSource.h"
+#include "Core/Hierarchy.h"
+#include "Core/Range.h"
 #include "Core/TransferFunction.h"
 
 #include <memory>

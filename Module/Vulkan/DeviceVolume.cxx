@@ -15,45 +15,42 @@ constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
 
 DeviceVolume::DeviceVolume(std::shared_ptr<Device> device, const Volume& volume)
   : Owner(std::move(device))
-  , Size(volume.tree->size)
+  , Size(volume.structure->tree.size)
 {
   this->UploadValues(volume);
-  this->UploadLists(*volume.tree);
+  this->UploadLists(volume.structure->tree);
 }
 
 void DeviceVolume::UploadValues(const Volume& volume)
 {
-  const std::vector<Brick>& bricks = *volume.bricks;
+  const Structure& structure = *volume.structure;
+  const std::vector<Brick>& bricks = structure.bricks;
+  const std::vector<std::uint64_t>& firstValue = volume.values->firstValue;
   const vk::DeviceSize largest =
     std::min<vk::DeviceSize>(LargestValueBuffer, faults().largestValueBuffer);
-  const int layer = volume.scalars->layer;
   std::vector<layout::Brick> records;
   records.reserve(bricks.size());
   for (std::size_t first = 0; first < bricks.size();)
   {
-    const std::uint64_t begin = bricks[first].firstValue;
-    std::uint64_t end = begin;
-    std::size_t last = first;
-    for (; last < bricks.size() &&
-         (last == first ||
-           (end - begin + bricks[last].numberOfValues(layer)) * sizeof(float) <= largest);
-         ++last)
+    const std::uint64_t begin = firstValue[first];
+    std::size_t last = first + 1;
+    while (last < bricks.size() && (firstValue[last + 1] - begin) * sizeof(float) <= largest)
     {
-      end += bricks[last].numberOfValues(layer);
+      ++last;
     }
-    const vk::DeviceSize bytes = (end - begin) * sizeof(float);
+    const vk::DeviceSize bytes = (firstValue[last] - begin) * sizeof(float);
     this->Values.emplace_back(this->Owner, bytes, Residence::Device, "the cells' values");
-    this->Values.back().upload(volume.scalars->values.data() + begin, bytes);
+    this->Values.back().upload(volume.values->normalized.data() + begin, bytes);
     for (; first < last; ++first)
     {
       const Brick& brick = bricks[first];
       const glm::uvec3 n(brick.cells);
       layout::Brick record{};
-      record.lo = glm::ivec3((brick.lo - volume.tree->bounds.lo) * std::int64_t(2));
-      record.width = static_cast<int>((*volume.cellWidth)[brick.level]);
+      record.lo = glm::ivec3((brick.lo - structure.tree.bounds.lo) * std::int64_t(2));
+      record.width = static_cast<int>(structure.width(brick));
       record.dimensions = n.x | n.y << 8 | n.z << 16 |
-        (volume.scalars->brickHasAbsentCells[first] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
-      record.values = this->Values.back().address() + (brick.firstValue - begin) * sizeof(float);
+        (volume.values->brickHasAbsentCells[first] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
+      record.values = this->Values.back().address() + (firstValue[first] - begin) * sizeof(float);
       records.push_back(record);
     }
   }

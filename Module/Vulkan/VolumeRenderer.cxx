@@ -22,20 +22,9 @@ constexpr double PilotPixels = 3000.0;
 constexpr double MostPilotPixels = 64.0 * PilotPixels;
 constexpr double StepScaleOfFew = 0.25;
 
-// Each region with bricks, as a whole.
-ActiveRegions selectAllRegions(Volume volume, bool boxes)
-{
-  ValueRanges whole;
-  whole.regions.assign(volume.tree->regions.size(), { 0.0f, 1.0f });
-  volume.ranges = &whole;
-  return selectActiveRegions(
-    volume, TransferFunction({ { 0.0, glm::dvec4(1.0) } }), nullptr, boxes);
-}
-
 // The subject, or what is left of it without some of its finest levels.
 struct Detail
 {
-  std::unique_ptr<const CoarserVolume> made; // none: the subject itself
   Volume volume;
   glm::dmat4 fromHalfCells{ 1.0 };                // of the subject
   std::unique_ptr<vulkan::DeviceVolume> onDevice; // none: not yet, or no longer
@@ -166,6 +155,8 @@ struct VolumeRenderer::Internals
     return selectActiveRegions(volume, this->Transfer, weights ? &*weights : nullptr, boxes);
   }
 
+  bool IsSubject(const Detail& detail) const { return &detail == this->Details.data(); }
+
   // Brings a detail up to date on the device.
   void UpdateDetail(Detail& detail)
   {
@@ -174,7 +165,7 @@ struct VolumeRenderer::Internals
       const Stopwatch watch;
       detail.opacityReady = false;
       detail.onDevice = std::make_unique<vulkan::DeviceVolume>(this->Device, detail.volume);
-      if (!detail.made)
+      if (this->IsSubject(detail))
       {
         this->Figures.uploadTime = watch.seconds();
       }
@@ -192,7 +183,7 @@ struct VolumeRenderer::Internals
     catch (const vulkan::Failure&)
     {
       if (this->Figures.traversal == Traversal::KdTree ||
-        this->WantedTraversal != Traversal::Automatic || detail.made)
+        this->WantedTraversal != Traversal::Automatic || !this->IsSubject(detail))
       {
         throw;
       }
@@ -202,7 +193,7 @@ struct VolumeRenderer::Internals
       detail.onDevice->setActive(this->SelectActiveRegions(detail.volume, false));
     }
     detail.opacityReady = true;
-    if (!detail.made)
+    if (this->IsSubject(detail))
     {
       this->Figures.opacityTime = watch.seconds();
     }
@@ -222,14 +213,15 @@ struct VolumeRenderer::Internals
       {
         const Detail& finer = this->Details.back();
         Detail detail;
-        detail.made = this->CoarsestMade ? nullptr : coarsen(finer.volume);
-        if (!detail.made)
+        const std::optional<CoarserStructure> coarser =
+          this->CoarsestMade ? std::nullopt : coarsen(*finer.volume.structure);
+        if (!coarser)
         {
           this->CoarsestMade = true;
           return nullptr;
         }
-        detail.volume = detail.made->volume();
-        detail.fromHalfCells = detail.made->fromHalfCells * finer.fromHalfCells;
+        detail.volume = { coarser->structure, coarsen(finer.volume, *coarser->structure) };
+        detail.fromHalfCells = coarser->fromHalfCells * finer.fromHalfCells;
         this->Details.push_back(std::move(detail));
       }
       this->UpdateDetail(this->Details[levelsLeftOut]);
@@ -537,16 +529,16 @@ void VolumeRenderer::selectProgram(std::shared_ptr<const MarchProgram> program)
   }
 }
 
-void VolumeRenderer::setVolume(const Volume& volume)
+void VolumeRenderer::setVolume(Volume volume)
 {
   this->Data->Fault.clear();
   this->Data->DropVolume();
   this->Data->Details.clear();
   this->Data->CoarsestMade = false;
-  if (volume.tree)
+  if (volume)
   {
     this->Data->Details.emplace_back();
-    this->Data->Details.back().volume = volume;
+    this->Data->Details.back().volume = std::move(volume);
   }
 }
 
@@ -571,7 +563,7 @@ std::string VolumeRenderer::render(const View& view, std::vector<glm::vec4>& pic
   const std::vector<Detail>& details = this->Data->Details;
   if (!details.empty() &&
     (view.quality.reconstruction == Reconstruction::Completed) !=
-      (details.front().volume.scalars->layer == 1))
+      (details.front().volume.values->layer == 1))
   {
     return "the volume's scalars do not fit the reconstruction: completed ones, with a layer "
            "around "

@@ -48,7 +48,8 @@ public:
   /// A program marches by the k-d tree, whatever the traversal wanted; null: our own method.
   void selectProgram(std::shared_ptr<const MarchProgram> program);
 
-  void setVolume(const Volume& volume);
+  /// Shares the volume; without one nothing is drawn.
+  void setVolume(Volume volume);
   /// Costs an upload of colours; and when it shows other values than before, or pictures are drawn
   /// with an error tolerance, a new selection of the active regions.
   void setTransferFunction(const TransferFunction& transfer);

@@ -60,12 +60,12 @@ SceneFigures measureFigures(
   figures.hostBytes = static_cast<double>(scene.hostBytes(Reconstruction::Basis));
   figures.surfaceBytes = static_cast<double>(scene.model().surface.bytes());
 
-  figures.scalarBytes = 4.0 * static_cast<double>(scene.scalars().values.size());
+  figures.scalarBytes = 4.0 * static_cast<double>(scene.values().normalized.size());
   figures.brickBytes = static_cast<double>(structure.bricks.size() * sizeof(layout::Brick));
   const double listBytes = static_cast<double>(tree.brickLists.size() * sizeof(std::uint32_t));
   figures.regionHostBytes = listBytes +
     static_cast<double>(tree.regions.size() * sizeof(layout::Region) +
-      tree.nodes.size() * sizeof(layout::KdNode) + scene.ranges().bytes());
+      tree.nodes.size() * sizeof(layout::KdNode) + scene.values().ranges.bytes());
   const ActiveRegions active =
     selectActiveRegions(scene.volume(Reconstruction::Basis), scene.transfer());
   figures.activeRegions = static_cast<double>(active.regions);

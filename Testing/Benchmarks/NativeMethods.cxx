@@ -24,7 +24,7 @@ public:
   SetUp setUp(double) override
   {
     SetUp result;
-    if (this->Subject.scalars().absentCells > 0)
+    if (this->Subject.values().absentCells > 0)
     {
       result.possible = false;
       result.note = "not drawn: it knows no absent cells";

@@ -4,6 +4,8 @@
 #include "Timing.h"
 #include "VTKScene.h"
 
+#include "Core/Completion.h"
+
 #include <glm/ext/matrix_transform.hpp>
 #include <stdexcept>
 
@@ -30,69 +32,47 @@ Scene::Scene(Model from)
   {
     throw std::runtime_error("scene '" + this->Made.name + "': " + fault);
   }
-  this->structureTime = secondsOf([&] { this->Built = buildStructure(this->Made.hierarchy); });
-  this->gatherTime = secondsOf(
-    [&] {
-      this->Values = gatherScalars(this->Built.hierarchy, this->Built.bricks, *this->Made.cells);
-    });
-  this->rangesTime = secondsOf(
-    [&]
-    {
-      this->Ranges = findValueRanges(
-        this->Built.tree, this->Built.bricks, this->Built.hierarchy.cellWidth, this->Values);
-    });
-  if (this->Values.range.empty())
+  this->structureTime = secondsOf([&]
+    { this->Plain.structure = std::make_shared<Structure>(buildStructure(this->Made.hierarchy)); });
+  auto values = std::make_shared<Values>();
+  this->gatherTime =
+    secondsOf([&] { *values = gatherValues(this->structure(), *this->Made.cells); });
+  this->rangesTime =
+    secondsOf([&] { values->ranges = findValueRanges(this->structure(), *values); });
+  this->Plain.values = std::move(values);
+  if (this->values().range.empty())
   {
     throw std::runtime_error("scene '" + this->Made.name + "': no cell holds a number");
   }
-  this->Transfer = this->Made.transfer(this->Values.range);
+  this->Transfer = this->Made.transfer(this->values().range);
 }
 
 Scene::~Scene() = default;
 
-const Scene::Completed& Scene::complete() const
-{
-  if (!this->CompletedParts)
-  {
-    auto made = std::make_unique<Completed>();
-    const std::vector<std::int64_t>& width = this->Built.hierarchy.cellWidth;
-    made->time = secondsOf(
-      [&]
-      {
-        made->completion =
-          exabricks::complete(this->Built.tree, this->Built.bricks, width, this->Values);
-        made->ranges = findValueRanges(
-          this->Built.tree, made->completion.bricks, width, made->completion.scalars);
-      });
-    this->CompletedParts = std::move(made);
-  }
-  return *this->CompletedParts;
-}
-
 Volume Scene::volume(Reconstruction reconstruction) const
 {
-  const std::vector<std::int64_t>& width = this->Built.hierarchy.cellWidth;
-  if (reconstruction == Reconstruction::Completed)
+  if (reconstruction != Reconstruction::Completed)
   {
-    const Completed& made = this->complete();
-    return { &this->Built.tree, &made.completion.bricks, &width, &made.completion.scalars,
-      &made.ranges };
+    return this->Plain;
   }
-  return { &this->Built.tree, &this->Built.bricks, &width, &this->Values, &this->Ranges };
+  if (!this->Completed)
+  {
+    this->CompletionTime =
+      secondsOf([&] { this->Completed = complete(this->structure(), this->values()); });
+  }
+  return { this->Plain.structure, this->Completed };
 }
 
 double Scene::buildTime(Reconstruction reconstruction) const
 {
+  this->volume(reconstruction); // completes it, if that is to be counted
   return this->structureTime + this->gatherTime + this->rangesTime +
-    (reconstruction == Reconstruction::Completed ? this->complete().time : 0.0);
+    (reconstruction == Reconstruction::Completed ? this->CompletionTime : 0.0);
 }
 
 std::uint64_t Scene::hostBytes(Reconstruction reconstruction) const
 {
-  const bool completed = reconstruction == Reconstruction::Completed;
-  const Scalars& scalars = completed ? this->complete().completion.scalars : this->Values;
-  const ValueRanges& valueRanges = completed ? this->complete().ranges : this->Ranges;
-  return this->Built.bytes() + scalars.values.capacity() * sizeof(float) + valueRanges.bytes();
+  return this->structure().bytes() + this->volume(reconstruction).values->bytes();
 }
 
 reference::View Scene::referenceView(const Size& size) const
@@ -112,7 +92,7 @@ View Scene::view(const Size& size, Reconstruction reconstruction) const
 {
   const reference::View from = this->referenceView(size);
   glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
-  toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->Built.tree.bounds.lo));
+  toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure().tree.bounds.lo));
   View view;
   view.camera.ndcToHalfCells = toHalfCells * from.ndcToLogical;
   view.camera.ndcToData = from.ndcToWorld;

@@ -4,8 +4,7 @@
 #ifndef ExaBricksBenchmarksScene_h
 #define ExaBricksBenchmarksScene_h
 
-#include "Core/Completion.h"
-#include "Core/Structure.h"
+#include "Core/Volume.h"
 #include "Reference/Oracle.h"
 #include "Surface.h"
 #include "Vulkan/VolumeRenderer.h"
@@ -56,12 +55,11 @@ public:
 
   const std::string& name() const { return this->Made.name; }
   const Model& model() const { return this->Made; }
-  const Structure& structure() const { return this->Built; }
-  const Scalars& scalars() const { return this->Values; }
-  const ValueRanges& ranges() const { return this->Ranges; }
+  const Structure& structure() const { return *this->Plain.structure; }
+  const Values& values() const { return *this->Plain.values; }
   const TransferFunction& transfer() const { return this->Transfer; }
 
-  /// Points into this scene. Completed values are made when first asked for.
+  /// Completed values are made when first asked for.
   Volume volume(Reconstruction reconstruction) const;
   View view(const Size& size, Reconstruction reconstruction) const;
   reference::View referenceView(const Size& size) const;
@@ -81,20 +79,11 @@ public:
   std::uint64_t hostBytes(Reconstruction reconstruction) const;
 
 private:
-  struct Completed
-  {
-    Completion completion;
-    ValueRanges ranges;
-    double time = 0.0;
-  };
-  const Completed& complete() const;
-
   const Model Made;
-  Structure Built;
-  Scalars Values;
-  ValueRanges Ranges;
+  Volume Plain;
   TransferFunction Transfer;
-  mutable std::unique_ptr<const Completed> CompletedParts;
+  mutable std::shared_ptr<const Values> Completed;
+  mutable double CompletionTime = 0.0;
   mutable std::shared_ptr<const VTKScene> ForVTK;
   mutable std::map<Size, std::vector<float>> Depths; // of the surface
 };

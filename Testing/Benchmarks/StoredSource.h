@@ -3,7 +3,8 @@
 #ifndef ExaBricksBenchmarksStoredSource_h
 #define ExaBricksBenchmarksStoredSource_h
 
-#include "Core/Scalars.h"
+#include "Core/CellSource.h"
+#include "Core/Hierarchy.h"
 
 namespace exabricks
 {

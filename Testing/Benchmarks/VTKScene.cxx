@@ -16,7 +16,7 @@ namespace
 vtkSmartPointer<vtkVolumeProperty> makeProperty(const Scene& scene)
 {
   auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  writeTransfer(scene.transfer(), scene.scalars().range, property);
+  writeTransfer(scene.transfer(), scene.values().range, property);
   property->SetScalarOpacityUnitDistance(scene.model().opacityUnitDistance);
   return property;
 }

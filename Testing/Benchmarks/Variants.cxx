@@ -54,8 +54,8 @@ Program makeCellLocation(const Volume& volume)
   MarchProgram program;
   program.spirv = toWords(CellLocationSpirv);
   append(program.extra,
-    buildBrickTree(
-      *volume.bricks, *volume.cellWidth, volume.tree->bounds.lo, BrickExtent::Support));
+    buildBrickTree(volume.structure->bricks, volume.structure->hierarchy.cellWidth,
+      volume.structure->tree.bounds.lo, BrickExtent::Support));
   return std::make_shared<const MarchProgram>(std::move(program));
 }
 
@@ -64,8 +64,8 @@ Program makeCellLocation(const Volume& volume)
 std::vector<layout::LevelLattice> makeLattices(const Volume& volume)
 {
   std::vector<layout::LevelLattice> lattices;
-  const Int3& corner = volume.tree->bounds.lo;
-  for (const std::int64_t width : *volume.cellWidth)
+  const Int3& corner = volume.structure->tree.bounds.lo;
+  for (const std::int64_t width : volume.structure->hierarchy.cellWidth)
   {
     layout::LevelLattice lattice{};
     for (int axis = 0; axis < 3; ++axis)
@@ -88,7 +88,8 @@ Program makeNaiveWalk(const Volume& volume)
   program.extra.push_back(static_cast<std::uint32_t>(lattices.size()));
   append(program.extra, lattices);
   append(program.extra,
-    buildBrickTree(*volume.bricks, *volume.cellWidth, volume.tree->bounds.lo, BrickExtent::Cells));
+    buildBrickTree(volume.structure->bricks, volume.structure->hierarchy.cellWidth,
+      volume.structure->tree.bounds.lo, BrickExtent::Cells));
   return std::make_shared<const MarchProgram>(std::move(program));
 }
 }

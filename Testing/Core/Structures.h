@@ -3,8 +3,7 @@
 #ifndef ExaBricksTestingStructures_h
 #define ExaBricksTestingStructures_h
 
-#include "Core/Regions.h"
-#include "Core/Scalars.h"
+#include "Core/Volume.h"
 #include "Reference/ForEachPoint.h"
 #include "Reference/Scenes.h"
 
@@ -21,13 +20,15 @@ struct Built
 {
   reference::Scene scene;
   LeafBoxes leaves;
-  std::vector<Brick> bricks;
-  RegionTree tree;
+  std::shared_ptr<const Structure> structure;
 
   const Hierarchy& hierarchy() const { return this->scene.hierarchy; }
   const std::vector<std::int64_t>& cellWidth() const { return this->scene.hierarchy.cellWidth; }
-  std::int64_t width(const Brick& brick) const { return this->cellWidth()[brick.level]; }
-  Box box(const Brick& brick) const { return brick.box(this->width(brick)); }
+  const std::vector<Brick>& bricks() const { return this->structure->bricks; }
+  const RegionTree& tree() const { return this->structure->tree; }
+  std::int64_t width(const Brick& brick) const { return this->structure->width(brick); }
+  Box box(const Brick& brick) const { return this->structure->box(brick); }
+  Values gather() const { return gatherValues(*this->structure, this->scene.cells); }
 };
 
 inline Built build(
@@ -36,8 +37,13 @@ inline Built build(
   Built built;
   built.scene = std::move(scene);
   built.leaves = findLeafBoxes(built.hierarchy());
-  built.bricks = buildBricks(built.leaves, built.cellWidth(), brickCells);
-  built.tree = buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), limits);
+  auto structure = std::make_shared<Structure>();
+  structure->hierarchy = built.hierarchy();
+  structure->leafCells = built.leaves.cells;
+  structure->partlyCoveredBoxes = built.leaves.partlyCoveredBoxes;
+  structure->bricks = buildBricks(built.leaves, built.cellWidth(), brickCells);
+  structure->tree = buildRegions(structure->bricks, built.leaves.bounds, built.cellWidth(), limits);
+  built.structure = std::move(structure);
   return built;
 }
 
@@ -53,9 +59,9 @@ inline Built buildRandom(std::uint32_t seed)
 template <typename Visitor>
 void forEachLeafCell(const Built& built, const Visitor& visit)
 {
-  for (const Brick& brick : built.bricks)
+  std::uint64_t i = 0;
+  for (const Brick& brick : built.bricks())
   {
-    std::uint64_t i = brick.firstValue;
     forEachPoint({ Int3(0), Int3(brick.cells) },
       [&](const Int3& c) { visit(brick, brick.lo + c * built.width(brick), i++); });
   }

@@ -39,21 +39,29 @@ struct Ranged
 {
   explicit Ranged(Built b, int macrocellCells = MacrocellCells)
     : built(std::move(b))
-    , scalars(gatherScalars(built.hierarchy(), built.bricks, built.scene.cells))
-    , ranges(findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, macrocellCells))
+    , volume{ built.structure, withRanges(built, macrocellCells) }
+    , values(*volume.values)
+    , ranges(values.ranges)
   {
   }
 
   ActiveRegions select(const TransferFunction& transfer) const
   {
-    return selectActiveRegions({ &this->built.tree, &this->built.bricks, &this->built.cellWidth(),
-                                 &this->scalars, &this->ranges },
-      transfer);
+    return selectActiveRegions(this->volume, transfer);
   }
 
   const Built built;
-  const Scalars scalars;
-  const ValueRanges ranges;
+  const Volume volume;
+  const Values& values;
+  const ValueRanges& ranges;
+
+private:
+  static std::shared_ptr<const Values> withRanges(const Built& built, int macrocellCells)
+  {
+    auto values = std::make_shared<Values>(built.gather());
+    values->ranges = findValueRanges(*built.structure, *values, macrocellCells);
+    return values;
+  }
 };
 
 bool contains(const layout::ActiveBox& box, const glm::ivec3& p)
@@ -75,7 +83,7 @@ TEST(ActiveRegions, AreThoseTheTransferFunctionShows)
   std::size_t next = 0;
   for (std::uint32_t r = 0; r < ranged.ranges.regions.size(); ++r)
   {
-    const layout::Region& region = ranged.built.tree.regions[r];
+    const layout::Region& region = ranged.built.tree().regions[r];
     if (ranged.ranges.regions[r].max > 0.8f)
     {
       ASSERT_LT(next, active.boxes.size());
@@ -97,7 +105,7 @@ TEST(ActiveRegions, AreReachedThroughTheTreeAndNoOthers)
   {
     SCOPED_TRACE(seed);
     const Ranged ranged(buildRandom(seed), 1 + seed % 8);
-    const RegionTree& tree = ranged.built.tree;
+    const RegionTree& tree = ranged.built.tree();
     const ActiveRegions active = ranged.select(above(0.9 + 0.02 * (seed % 5)));
     for (const layout::ActiveBox& box : active.boxes)
     {
@@ -129,7 +137,7 @@ TEST(ActiveRegions, AreCutWhereSomeMacrocellsShowNothing)
   scene.cells = reference::fillCells(scene.hierarchy,
     [](int, const Int3& c) { return c.x >= 24 && c.y >= 24 && c.z >= 24 ? 1.0 : 0.0; });
   const Ranged ranged(build(scene));
-  ASSERT_EQ(ranged.built.tree.regions.size(), 1u);
+  ASSERT_EQ(ranged.built.tree().regions.size(), 1u);
   const ActiveRegions active = ranged.select(above(0.5));
   ASSERT_EQ(active.boxes.size(), 1u);
   // cells up to 24 have tents that end at 25: half cells from 47 on; macrocells are 16 long
@@ -148,7 +156,7 @@ TEST(ActiveRegions, LoseNoMacrocellThatShowsAnything)
     const ActiveRegions active = ranged.select(transfer);
     for (const MacrocellGrid& grid : ranged.ranges.grids)
     {
-      const layout::Region& region = ranged.built.tree.regions[grid.region];
+      const layout::Region& region = ranged.built.tree().regions[grid.region];
       const glm::ivec3 n = grid.count(region);
       for (int i = 0; i < n.x * n.y * n.z; ++i)
       {
@@ -173,7 +181,7 @@ TEST(ActiveRegions, SayTheFinestCellAndWhetherSomeAreAbsent)
   for (const layout::ActiveBox& box : ranged.select(all).boxes)
   {
     const layout::Region& region =
-      *std::find_if(ranged.built.tree.regions.begin(), ranged.built.tree.regions.end(),
+      *std::find_if(ranged.built.tree().regions.begin(), ranged.built.tree().regions.end(),
         [&](const layout::Region& r)
         {
           return glm::all(glm::lessThanEqual(r.lo, box.lo)) &&
@@ -183,9 +191,9 @@ TEST(ActiveRegions, SayTheFinestCellAndWhetherSomeAreAbsent)
     bool some = false;
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
-      const std::uint32_t b = ranged.built.tree.brickLists[region.firstBrick + k];
-      finest = std::min(finest, ranged.built.width(ranged.built.bricks[b]));
-      some = some || ranged.scalars.brickHasAbsentCells[b];
+      const std::uint32_t b = ranged.built.tree().brickLists[region.firstBrick + k];
+      finest = std::min(finest, ranged.built.width(ranged.built.bricks()[b]));
+      some = some || ranged.values.brickHasAbsentCells[b];
     }
     EXPECT_EQ(std::abs(box.step), static_cast<float>(2 * finest));
     EXPECT_EQ(box.step < 0.0f, some);
@@ -204,6 +212,19 @@ TEST(ActiveRegions, AreAllWithDataWhenAllIsOpaque)
     withData += !range.empty();
   }
   EXPECT_EQ(active.regions, withData);
+}
+
+TEST(ActiveRegions, AreAllWithBricksAsAWholeWhereNoneIsSkipped)
+{
+  const Ranged ranged(build(reference::holes()), 1);
+  const ActiveRegions all = selectAllRegions(ranged.volume);
+  std::size_t withBricks = 0;
+  for (const layout::Region& region : ranged.built.tree().regions)
+  {
+    withBricks += region.brickCount > 0;
+  }
+  EXPECT_EQ(all.regions, withBricks);
+  EXPECT_EQ(all.boxes.size(), withBricks);
 }
 
 TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)

@@ -4,7 +4,6 @@
 // new is not the usual one.
 #include "Core/Coarsening.h"
 #include "Core/Completion.h"
-#include "Core/Structure.h"
 #include "Reference/Scenes.h"
 #include "Scenes/StandIn.h"
 
@@ -122,28 +121,17 @@ protected:
     hierarchy.blocks = { { 0, { Int3(0), Int3(54) } }, { 1, { Int3(40), Int3(56) } } };
     source = reference::fillCells(
       hierarchy, [](int, const Int3& c) { return static_cast<double>(c.x + 2 * c.y + 3 * c.z); });
-    structure = buildStructure(hierarchy);
-    scalars = gatherScalars(hierarchy, structure.bricks, source);
-    ranges = findValueRanges(structure.tree, structure.bricks, hierarchy.cellWidth, scalars);
-  }
-
-  static Volume volume()
-  {
-    return { &structure.tree, &structure.bricks, &structure.hierarchy.cellWidth, &scalars,
-      &ranges };
+    volume.structure = std::make_shared<const Structure>(buildStructure(hierarchy));
+    volume.values = makeValues(*volume.structure, source);
   }
 
   static Hierarchy hierarchy;
   static reference::ArraySource source;
-  static Structure structure;
-  static Scalars scalars;
-  static ValueRanges ranges;
+  static Volume volume;
 };
 Hierarchy AllocationFaults::hierarchy;
 reference::ArraySource AllocationFaults::source;
-Structure AllocationFaults::structure;
-Scalars AllocationFaults::scalars;
-ValueRanges AllocationFaults::ranges;
+Volume AllocationFaults::volume;
 }
 
 TEST_F(AllocationFaults, OfTheStructureReachTheCaller)
@@ -151,25 +139,29 @@ TEST_F(AllocationFaults, OfTheStructureReachTheCaller)
   expectNoHarm([] { buildStructure(hierarchy); });
 }
 
-TEST_F(AllocationFaults, OfTheScalarsReachTheCaller)
+TEST_F(AllocationFaults, OfTheValuesReachTheCaller)
 {
-  expectNoHarm([] { gatherScalars(hierarchy, structure.bricks, source); });
+  expectNoHarm([] { makeValues(*volume.structure, source); });
 }
 
 TEST_F(AllocationFaults, OfTheValueRangesReachTheCaller)
 {
-  expectNoHarm(
-    [] { findValueRanges(structure.tree, structure.bricks, hierarchy.cellWidth, scalars); });
+  expectNoHarm([] { findValueRanges(*volume.structure, *volume.values); });
 }
 
 TEST_F(AllocationFaults, OfTheCompletionReachTheCaller)
 {
-  expectNoHarm([] { complete(structure.tree, structure.bricks, hierarchy.cellWidth, scalars); });
+  expectNoHarm([] { complete(*volume.structure, *volume.values); });
 }
 
 TEST_F(AllocationFaults, OfTheCoarseningReachTheCaller)
 {
-  expectNoHarm([] { coarsen(volume()); });
+  expectNoHarm(
+    []
+    {
+      const auto coarser = coarsen(*volume.structure);
+      coarsen(volume, *coarser->structure);
+    });
 }
 
 TEST_F(AllocationFaults, OfTheScenesReachTheCaller)

@@ -18,7 +18,6 @@ TEST(Bricks, OfOneSmallBlockAreThatBlock)
   EXPECT_EQ(bricks[0].lo, Int3(-8));
   EXPECT_EQ(bricks[0].cells, glm::ivec3(5, 6, 7));
   EXPECT_EQ(bricks[0].level, 0);
-  EXPECT_EQ(bricks[0].firstValue, 0u);
 }
 
 TEST(Bricks, JoinBlocksOfALevel)
@@ -61,7 +60,7 @@ TEST(Bricks, HoldEachLeafCellOnceAtItsLevel)
       levels.fill(leaf.box, leaf.level);
     }
     std::uint64_t cells = 0;
-    for (const Brick& brick : built.bricks)
+    for (const Brick& brick : built.bricks())
     {
       const Box box = built.box(brick);
       ASSERT_TRUE(built.leaves.bounds.contains(box));
@@ -82,19 +81,18 @@ TEST(Bricks, HoldEachLeafCellOnceAtItsLevel)
   }
 }
 
-TEST(Bricks, KeepToTheGreatestSizeAndFollowOneAnotherInTheScalars)
+TEST(Bricks, KeepToTheGreatestSize)
 {
   for (std::uint32_t seed = 0; seed < 50; ++seed)
   {
     const LeafBoxes leaves = findLeafBoxes(reference::randomHierarchy(seed));
-    std::uint64_t next = 0;
+    std::uint64_t cells = 0;
     for (const Brick& brick : buildBricks(leaves, reference::randomHierarchy(seed).cellWidth, 4))
     {
       ASSERT_LE(std::max({ brick.cells.x, brick.cells.y, brick.cells.z }), 4);
-      ASSERT_EQ(brick.firstValue, next);
-      next += brick.numberOfCells();
+      cells += brick.numberOfCells();
     }
-    ASSERT_EQ(next, leaves.cells);
+    ASSERT_EQ(cells, leaves.cells);
   }
 }
 

@@ -2,7 +2,6 @@
 // Levels are completed beyond their leaf cells by values that make sense, also where there is
 // little to go by. (What they are where there is enough: CompletesLevels.)
 #include "Core/Completion.h"
-#include "Core/Structure.h"
 #include "Reference/Scenes.h"
 
 #include <gtest/gtest.h>
@@ -28,13 +27,12 @@ double deviation(const std::function<bool(const Int3& fineCell)>& there)
                                     : std::numeric_limits<double>::quiet_NaN();
     });
   const Structure structure = buildStructure(hierarchy);
-  const Scalars scalars = gatherScalars(hierarchy, structure.bricks, source);
-  const Completion completion =
-    complete(structure.tree, structure.bricks, hierarchy.cellWidth, scalars);
-  EXPECT_EQ(completion.scalars.layer, 1);
+  const auto completed = complete(structure, gatherValues(structure, source));
+  EXPECT_EQ(completed->layer, 1);
+  EXPECT_EQ(completed->ranges.regions.size(), structure.tree.regions.size());
   double greatest = 0.0;
-  const float* value = completion.scalars.values.data();
-  for (const Brick& brick : completion.bricks)
+  const float* value = completed->normalized.data();
+  for (const Brick& brick : structure.bricks)
   {
     const double width = static_cast<double>(hierarchy.cellWidth[brick.level]);
     glm::ivec3 c;
@@ -50,7 +48,7 @@ double deviation(const std::function<bool(const Int3& fineCell)>& there)
           EXPECT_TRUE(*value == layout::ABSENT || (*value >= 0.0f && *value <= 1.0f));
           if (inside && *value >= 0.0f)
           {
-            greatest = std::max(greatest, std::abs(*value - scalars.range.normalize(linear(p))));
+            greatest = std::max(greatest, std::abs(*value - completed->range.normalize(linear(p))));
           }
         }
       }

@@ -93,7 +93,7 @@ TEST(FirstException, IsNoneWhereNothingIsThrown)
   EXPECT_EQ(done, 2);
 }
 
-TEST(FirstException, OfASourceReachesTheCallerOfGatherScalars)
+TEST(FirstException, OfASourceReachesTheCallerOfGatherValues)
 {
   const Threads threads(4);
   const Built built = manyCells();
@@ -102,11 +102,11 @@ TEST(FirstException, OfASourceReachesTheCallerOfGatherScalars)
   {
     SCOPED_TRACE(failAfter);
     const FailingSource<std::bad_alloc> noMemory(failAfter, std::bad_alloc());
-    EXPECT_THROW(gatherScalars(built.hierarchy(), built.bricks, noMemory), std::bad_alloc);
+    EXPECT_THROW(gatherValues(*built.structure, noMemory), std::bad_alloc);
     const FailingSource<std::runtime_error> broken(failAfter, std::runtime_error("broken"));
     try
     {
-      gatherScalars(built.hierarchy(), built.bricks, broken);
+      gatherValues(*built.structure, broken);
       FAIL() << "expected an exception";
     }
     catch (const std::runtime_error& error)
@@ -118,10 +118,10 @@ TEST(FirstException, OfASourceReachesTheCallerOfGatherScalars)
   EXPECT_TRUE(inWorker);
   // And with a source that works, it works.
   const FailingSource<std::bad_alloc> works(1024, std::bad_alloc());
-  EXPECT_EQ(gatherScalars(built.hierarchy(), built.bricks, works).values.size(), 64u * 64u * 64u);
+  EXPECT_EQ(gatherValues(*built.structure, works).normalized.size(), 64u * 64u * 64u);
 }
 
-TEST(FirstException, OfProgressReachesTheCallerOfGatherScalars)
+TEST(FirstException, OfProgressReachesTheCallerOfGatherValues)
 {
   const Threads threads(4);
   const Built built = manyCells();
@@ -134,5 +134,5 @@ TEST(FirstException, OfProgressReachesTheCallerOfGatherScalars)
     }
     return true;
   };
-  EXPECT_THROW(gatherScalars(built.hierarchy(), built.bricks, works, progress), std::runtime_error);
+  EXPECT_THROW(gatherValues(*built.structure, works, progress), std::runtime_error);
 }

@@ -24,12 +24,12 @@ struct Sums
 // The tents of a brick's cells at p (half cells from the bounds' corner), in the clamped form: the
 // trilinear weights at the nearest point between its cells' centres, times the distance's tent.
 template <typename T>
-void addBrick(const Built& built, const Scalars& scalars, std::uint32_t b, const glm::vec<3, T>& p,
-  Sums<T>& sums)
+void addBrick(
+  const Built& built, const Values& values, std::uint32_t b, const glm::vec<3, T>& p, Sums<T>& sums)
 {
   using Vec3 = glm::vec<3, T>;
-  const Brick& brick = built.bricks[b];
-  const Vec3 lo((brick.lo - built.tree.bounds.lo) * std::int64_t(2));
+  const Brick& brick = built.bricks()[b];
+  const Vec3 lo((brick.lo - built.tree().bounds.lo) * std::int64_t(2));
   const Vec3 q = (p - lo) / static_cast<T>(2 * built.width(brick)) - static_cast<T>(0.5);
   const Vec3 n(brick.cells);
   const Vec3 c = glm::clamp(q, Vec3(0), n - static_cast<T>(1));
@@ -43,8 +43,8 @@ void addBrick(const Built& built, const Scalars& scalars, std::uint32_t b, const
     const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
     const T tent = (step.x ? f.x : 1 - f.x) * (step.y ? f.y : 1 - f.y) * (step.z ? f.z : 1 - f.z);
     const glm::ivec3 cell = glm::min(base + step, brick.cells - 1);
-    const float value = scalars.values[brick.firstValue + cell.x +
-      brick.cells.x * (cell.y + static_cast<std::uint64_t>(brick.cells.y) * cell.z)];
+    const float value = values.ofBrick(
+      b)[cell.x + brick.cells.x * (cell.y + static_cast<std::uint64_t>(brick.cells.y) * cell.z)];
     if (value != layout::ABSENT)
     {
       brickSums.values += tent * value;
@@ -57,12 +57,12 @@ void addBrick(const Built& built, const Scalars& scalars, std::uint32_t b, const
 
 template <typename T>
 Sums<T> sumOverRegion(
-  const Built& built, const Scalars& scalars, const layout::Region& region, const glm::vec<3, T>& p)
+  const Built& built, const Values& values, const layout::Region& region, const glm::vec<3, T>& p)
 {
   Sums<T> sums;
   for (std::uint32_t k = 0; k < region.brickCount; ++k)
   {
-    addBrick(built, scalars, built.tree.brickLists[region.firstBrick + k], p, sums);
+    addBrick(built, values, built.tree().brickLists[region.firstBrick + k], p, sums);
   }
   return sums;
 }
@@ -80,7 +80,7 @@ glm::vec3 pickPoint(const layout::Region& region, std::mt19937& random)
   return p;
 }
 
-// Calls visit(built, scalars, ranges, index of region, point) at random points, in about as many
+// Calls visit(built, values, ranges, index of region, point) at random points, in about as many
 // regions of each random scene as asked for.
 template <typename Visitor>
 void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& visit)
@@ -89,16 +89,15 @@ void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& vi
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    const ValueRanges ranges =
-      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
+    const Values values = built.gather();
+    const ValueRanges ranges = findValueRanges(*built.structure, values);
     std::mt19937 random(seed);
-    const std::size_t step = built.tree.regions.size() / regions + 1;
-    for (std::size_t r = 0; r < built.tree.regions.size(); r += step)
+    const std::size_t step = built.tree().regions.size() / regions + 1;
+    for (std::size_t r = 0; r < built.tree().regions.size(); r += step)
     {
-      for (int i = 0; i < pointsPerRegion && built.tree.regions[r].brickCount > 0; ++i)
+      for (int i = 0; i < pointsPerRegion && built.tree().regions[r].brickCount > 0; ++i)
       {
-        visit(built, scalars, ranges, r, pickPoint(built.tree.regions[r], random));
+        visit(built, values, ranges, r, pickPoint(built.tree().regions[r], random));
         if (::testing::Test::HasFatalFailure())
         {
           return;
@@ -112,14 +111,14 @@ void forRandomPoints(std::size_t regions, int pointsPerRegion, const Visitor& vi
 TEST(Reconstruction, TakesTheSameFromTheRegionsListAsFromAllBricks)
 {
   forRandomPoints(50, 2,
-    [](const Built& built, const Scalars& scalars, const ValueRanges&, std::size_t r,
+    [](const Built& built, const Values& values, const ValueRanges&, std::size_t r,
       const glm::vec3& p)
     {
-      const Sums<float> listed = sumOverRegion(built, scalars, built.tree.regions[r], p);
+      const Sums<float> listed = sumOverRegion(built, values, built.tree().regions[r], p);
       Sums<float> all;
-      for (std::uint32_t b = 0; b < built.bricks.size(); ++b)
+      for (std::uint32_t b = 0; b < built.bricks().size(); ++b)
       {
-        addBrick(built, scalars, b, p, all);
+        addBrick(built, values, b, p, all);
       }
       // bit for bit: a brick out of reach weighs exactly 0
       ASSERT_EQ(listed.values, all.values);
@@ -130,13 +129,13 @@ TEST(Reconstruction, TakesTheSameFromTheRegionsListAsFromAllBricks)
 TEST(Reconstruction, NeverLeavesTheRangeOfTheRegion)
 {
   forRandomPoints(300, 4,
-    [](const Built& built, const Scalars& scalars, const ValueRanges& ranges, std::size_t r,
+    [](const Built& built, const Values& values, const ValueRanges& ranges, std::size_t r,
       const glm::vec3& p)
     {
-      const layout::Region& region = built.tree.regions[r];
+      const layout::Region& region = built.tree().regions[r];
       // A mean stays in the range. Rounding adds a few ulp: each sum rounds once per term.
-      const Sums<double> sums = sumOverRegion(built, scalars, region, glm::dvec3(p));
-      const Sums<float> rounded = sumOverRegion(built, scalars, region, p);
+      const Sums<double> sums = sumOverRegion(built, values, region, glm::dvec3(p));
+      const Sums<float> rounded = sumOverRegion(built, values, region, p);
       if (sums.weights > 0.0)
       {
         const double value = sums.values / sums.weights;
@@ -157,13 +156,13 @@ TEST(Reconstruction, OfBricksIsThatOfLeafCells)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+    const Values values = built.gather();
     const Oracle oracle(built.hierarchy(), built.leaves, built.scene.cells);
     std::mt19937 random(seed);
-    for (const layout::Region& region : built.tree.regions)
+    for (const layout::Region& region : built.tree().regions)
     {
       const glm::dvec3 p = pickPoint(region, random);
-      const glm::dvec3 logical = 0.5 * p + glm::dvec3(built.tree.bounds.lo);
+      const glm::dvec3 logical = 0.5 * p + glm::dvec3(built.tree().bounds.lo);
       const std::optional<double> expected = oracle.sample(logical, Reconstruction::Basis);
       if (region.brickCount == 0)
       {
@@ -171,8 +170,8 @@ TEST(Reconstruction, OfBricksIsThatOfLeafCells)
       }
       if (expected)
       {
-        const Sums<double> sums = sumOverRegion(built, scalars, region, p);
-        ASSERT_NEAR(sums.values / sums.weights, *expected, 1e-6); // the scalars are floats
+        const Sums<double> sums = sumOverRegion(built, values, region, p);
+        ASSERT_NEAR(sums.values / sums.weights, *expected, 1e-6); // stored values are floats
         ++visited;
       }
     }
@@ -187,7 +186,7 @@ TEST(Reconstruction, ReturnsAConstantExactlyAcrossLevels)
   const Built built = build(scene);
   const Oracle oracle(built.hierarchy(), built.leaves, built.scene.cells, Range{ 0.0, 1.0 });
   std::mt19937 random(1);
-  for (const layout::Region& region : built.tree.regions)
+  for (const layout::Region& region : built.tree().regions)
   {
     const glm::dvec3 p = 0.5f * pickPoint(region, random);
     ASSERT_NEAR(*oracle.sample(p, Reconstruction::Basis), 0.75, 1e-15);

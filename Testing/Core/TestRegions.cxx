@@ -37,18 +37,18 @@ Box supportInHalfCells(const Built& built, const Brick& brick)
 {
   const Box box = built.box(brick);
   const std::int64_t width = built.width(brick);
-  return { (box.lo - built.tree.bounds.lo) * std::int64_t(2) - width,
-    (box.hi - built.tree.bounds.lo) * std::int64_t(2) + width };
+  return { (box.lo - built.tree().bounds.lo) * std::int64_t(2) - width,
+    (box.hi - built.tree().bounds.lo) * std::int64_t(2) + width };
 }
 }
 
 TEST(Regions, OfOneBrickAreOne)
 {
   const Built built = build(reference::uniform(), 255);
-  ASSERT_EQ(built.tree.regions.size(), 1u);
-  EXPECT_EQ(built.tree.regions[0].lo, glm::ivec3(0));
-  EXPECT_EQ(built.tree.regions[0].hi, glm::ivec3(48));
-  EXPECT_EQ(built.tree.brickLists, std::vector<std::uint32_t>{ 0 });
+  ASSERT_EQ(built.tree().regions.size(), 1u);
+  EXPECT_EQ(built.tree().regions[0].lo, glm::ivec3(0));
+  EXPECT_EQ(built.tree().regions[0].hi, glm::ivec3(48));
+  EXPECT_EQ(built.tree().brickLists, std::vector<std::uint32_t>{ 0 });
 }
 
 TEST(Regions, AreCutAtTheFacesOfSupports)
@@ -77,13 +77,13 @@ TEST(Regions, PartitionTheBoundsAsTheLeavesOfTheTree)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    ASSERT_EQ(built.tree.bounds, built.leaves.bounds);
-    ASSERT_EQ(Int3(built.tree.size), built.leaves.bounds.size() * std::int64_t(2));
-    ASSERT_FALSE(built.tree.nodes.empty());
-    std::vector<int> visits(built.tree.regions.size(), 0);
-    visitLeaves(built.tree, 0, { Int3(0), Int3(built.tree.size) }, visits);
+    ASSERT_EQ(built.tree().bounds, built.leaves.bounds);
+    ASSERT_EQ(Int3(built.tree().size), built.leaves.bounds.size() * std::int64_t(2));
+    ASSERT_FALSE(built.tree().nodes.empty());
+    std::vector<int> visits(built.tree().regions.size(), 0);
+    visitLeaves(built.tree(), 0, { Int3(0), Int3(built.tree().size) }, visits);
     ASSERT_EQ(visits, std::vector<int>(visits.size(), 1));
-    ASSERT_EQ(built.tree.nodes.size(), 2 * visits.size() - 1);
+    ASSERT_EQ(built.tree().nodes.size(), 2 * visits.size() - 1);
   }
 }
 
@@ -98,10 +98,10 @@ TEST(Regions, LieInLeafCellsOrHaveNoBricks)
     {
       leaf.fill(box.box, 1);
     }
-    for (const layout::Region& region : built.tree.regions)
+    for (const layout::Region& region : built.tree().regions)
     {
       int cells = 0;
-      const Box box = finestCells(built.tree, region);
+      const Box box = finestCells(built.tree(), region);
       forEachPoint(box, [&](const Int3& p) { cells += leaf[p]; });
       ASSERT_EQ(cells, region.brickCount > 0 ? static_cast<int>(box.volume()) : 0);
     }
@@ -115,11 +115,11 @@ TEST(Regions, ListAllBricksThatReachIntoThemInAscendingOrder)
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
     std::vector<Box> supports;
-    for (const Brick& brick : built.bricks)
+    for (const Brick& brick : built.bricks())
     {
       supports.push_back(supportInHalfCells(built, brick));
     }
-    for (const layout::Region& region : built.tree.regions)
+    for (const layout::Region& region : built.tree().regions)
     {
       const Box box{ Int3(region.lo), Int3(region.hi) };
       std::vector<std::uint32_t> reach;
@@ -130,7 +130,7 @@ TEST(Regions, ListAllBricksThatReachIntoThemInAscendingOrder)
           reach.push_back(static_cast<std::uint32_t>(b));
         }
       }
-      const auto list = built.tree.brickLists.begin() + region.firstBrick;
+      const auto list = built.tree().brickLists.begin() + region.firstBrick;
       ASSERT_EQ(reach, std::vector<std::uint32_t>(list, list + region.brickCount));
     }
   }
@@ -141,10 +141,10 @@ TEST(Regions, KeepListsShortWhereFewBricksMeet)
   // The face between two bricks, the edge of four, the corner of eight: nothing longer, and what
   // lies inside one brick lists it alone.
   const Built built = build(reference::uniform(), 12, { 1, 1, 0 });
-  ASSERT_EQ(built.bricks.size(), 8u);
-  ASSERT_EQ(built.tree.regions.size(), 27u);
+  ASSERT_EQ(built.bricks().size(), 8u);
+  ASSERT_EQ(built.tree().regions.size(), 27u);
   std::vector<int> ofLength(9, 0);
-  for (const layout::Region& region : built.tree.regions)
+  for (const layout::Region& region : built.tree().regions)
   {
     ++ofLength[region.brickCount];
   }
@@ -155,11 +155,11 @@ TEST(Regions, ThatAreSmallMayListMoreBricks)
 {
   // Where eight bricks meet, what is no longer than six cells is left whole.
   const Built built = build(reference::uniform(), 3, { 1, 8, 6 });
-  ASSERT_EQ(built.bricks.size(), 512u);
+  ASSERT_EQ(built.bricks().size(), 512u);
   const Built split = build(reference::uniform(), 3, { 1, 1, 0 });
-  EXPECT_LT(9 * built.tree.regions.size(), split.tree.regions.size());
+  EXPECT_LT(9 * built.tree().regions.size(), split.tree().regions.size());
   std::uint32_t longest = 0;
-  for (const layout::Region& region : built.tree.regions)
+  for (const layout::Region& region : built.tree().regions)
   {
     const glm::ivec3 size = region.hi - region.lo;
     EXPECT_TRUE(region.brickCount == 1 || std::max({ size.x, size.y, size.z }) <= 12 ||
@@ -184,7 +184,7 @@ TEST(Regions, AreNoTreeWhenProgressAborts)
   const Built built = build(reference::twoLevels());
   const auto abort = [](double) { return false; };
   EXPECT_TRUE(
-    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), {}, abort).nodes.empty());
+    buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, abort).nodes.empty());
 }
 
 TEST(Regions, ReportProgressThatGrowsToOne)
@@ -199,7 +199,7 @@ TEST(Regions, ReportProgressThatGrowsToOne)
     return true;
   };
   const RegionTree tree =
-    buildRegions(built.bricks, built.leaves.bounds, built.cellWidth(), {}, watch);
+    buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, watch);
   EXPECT_EQ(tree.nodes.size(), 2 * tree.regions.size() - 1);
   EXPECT_GT(last, 0.0);
 }

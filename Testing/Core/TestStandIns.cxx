@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stand-ins for the paper's models have the structure that they stand for, at every size.
 #include "Core/ActiveRegions.h"
-#include "Core/Structure.h"
+#include "Core/Volume.h"
 #include "Scenes/MergeCells.h"
 #include "Scenes/StandIn.h"
 
@@ -131,27 +131,24 @@ TEST_P(StandIns, CoverWholeCoarserCellsOnce)
 TEST_P(StandIns, HaveValuesInTheirRangeAndEmptySpace)
 {
   const StandIn made = makeStandIn(GetParam(), 200000);
-  const Structure structure = buildStructure(made.hierarchy);
-  const Scalars scalars = gatherScalars(made.hierarchy, structure.bricks, *made.cells);
-  EXPECT_EQ(scalars.absentCells, 0u);
-  EXPECT_GE(scalars.range.min, made.range.min);
-  EXPECT_LE(scalars.range.max, made.range.max);
-  EXPECT_GT(scalars.range.max - scalars.range.min, 0.6 * (made.range.max - made.range.min));
+  const auto structure = std::make_shared<const Structure>(buildStructure(made.hierarchy));
+  const Volume subject{ structure, makeValues(*structure, *made.cells) };
+  const Values& values = *subject.values;
+  EXPECT_EQ(values.absentCells, 0u);
+  EXPECT_GE(values.range.min, made.range.min);
+  EXPECT_LE(values.range.max, made.range.max);
+  EXPECT_GT(values.range.max - values.range.min, 0.6 * (made.range.max - made.range.min));
 
-  const ValueRanges ranges =
-    findValueRanges(structure.tree, structure.bricks, made.hierarchy.cellWidth, scalars);
   const auto volume = [](const glm::ivec3& lo, const glm::ivec3& hi)
   {
     const glm::dvec3 size(hi - lo);
     return size.x * size.y * size.z;
   };
   double share = 0.0;
-  for (const layout::ActiveBox& box : selectActiveRegions(
-         { &structure.tree, &structure.bricks, &made.hierarchy.cellWidth, &scalars, &ranges },
-         made.transferFor(scalars.range))
-                                        .boxes)
+  for (const layout::ActiveBox& box :
+    selectActiveRegions(subject, made.transferFor(values.range)).boxes)
   {
-    share += volume(box.lo, box.hi) / volume(glm::ivec3(0), structure.tree.size);
+    share += volume(box.lo, box.hi) / volume(glm::ivec3(0), structure->tree.size);
   }
   EXPECT_GT(share, 0.1) << "the transfer function shows too little";
   EXPECT_LT(share, 0.97) << "the transfer function skips too little";
@@ -159,16 +156,16 @@ TEST_P(StandIns, HaveValuesInTheirRangeAndEmptySpace)
   // Most of what is not empty is nearly transparent, some is dense.
   double visible = 0.0;
   double dense = 0.0;
-  const TransferFunction transfer = made.transferFor(scalars.range);
-  for (const float value : scalars.values)
+  const TransferFunction transfer = made.transferFor(values.range);
+  for (const float value : values.normalized)
   {
     const double opacity = transfer.evaluate(value).a;
     visible += opacity > 0.0;
     dense += opacity > 0.3;
   }
-  EXPECT_GT(visible, 0.05 * static_cast<double>(scalars.values.size()));
-  EXPECT_LT(visible, 0.8 * static_cast<double>(scalars.values.size()));
-  EXPECT_GT(dense, 0.001 * static_cast<double>(scalars.values.size()));
+  EXPECT_GT(visible, 0.05 * static_cast<double>(values.normalized.size()));
+  EXPECT_LT(visible, 0.8 * static_cast<double>(values.normalized.size()));
+  EXPECT_GT(dense, 0.001 * static_cast<double>(values.normalized.size()));
   EXPECT_LT(dense, 0.5 * visible);
 }
 

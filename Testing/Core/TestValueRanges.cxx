@@ -14,25 +14,24 @@ TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    const ValueRanges ranges =
-      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars);
-    ASSERT_EQ(ranges.regions.size(), built.tree.regions.size());
+    const Values values = built.gather();
+    const ValueRanges ranges = findValueRanges(*built.structure, values);
+    ASSERT_EQ(ranges.regions.size(), built.tree().regions.size());
 
     std::vector<ValueRange> expected(ranges.regions.size());
     forEachLeafCell(built,
       [&](const Brick& brick, const Int3& corner, std::uint64_t i)
       {
         const std::int64_t width = built.width(brick);
-        const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
+        const Int3 lo = (corner - built.tree().bounds.lo) * std::int64_t(2);
         const Box tent{ lo - width, lo + 3 * width };
-        for (std::size_t r = 0; r < expected.size() && scalars.values[i] != layout::ABSENT; ++r)
+        for (std::size_t r = 0; r < expected.size() && values.normalized[i] != layout::ABSENT; ++r)
         {
-          const layout::Region& region = built.tree.regions[r];
+          const layout::Region& region = built.tree().regions[r];
           if (region.brickCount > 0 && tent.intersects({ Int3(region.lo), Int3(region.hi) }))
           {
-            expected[r].min = std::min(expected[r].min, scalars.values[i]);
-            expected[r].max = std::max(expected[r].max, scalars.values[i]);
+            expected[r].min = std::min(expected[r].min, values.normalized[i]);
+            expected[r].max = std::max(expected[r].max, values.normalized[i]);
           }
         }
       });
@@ -51,12 +50,11 @@ TEST(ValueRanges, OfMacrocellsAreThoseOfTheCellsWhoseTentsReachIntoThem)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    const ValueRanges ranges =
-      findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, 2);
+    const Values values = built.gather();
+    const ValueRanges ranges = findValueRanges(*built.structure, values, 2);
     for (const MacrocellGrid& grid : ranges.grids)
     {
-      const layout::Region& region = built.tree.regions[grid.region];
+      const layout::Region& region = built.tree().regions[grid.region];
       const glm::ivec3 n = grid.count(region);
       std::vector<ValueRange> expected(n.x * n.y * n.z);
       std::vector<Box> boxes;
@@ -71,13 +69,13 @@ TEST(ValueRanges, OfMacrocellsAreThoseOfTheCellsWhoseTentsReachIntoThem)
         [&](const Brick& brick, const Int3& corner, std::uint64_t i)
         {
           const std::int64_t width = built.width(brick);
-          const Int3 lo = (corner - built.tree.bounds.lo) * std::int64_t(2);
+          const Int3 lo = (corner - built.tree().bounds.lo) * std::int64_t(2);
           const Box tent{ lo - width, lo + 3 * width };
-          for (std::size_t k = 0; k < boxes.size() && scalars.values[i] != layout::ABSENT; ++k)
+          for (std::size_t k = 0; k < boxes.size() && values.normalized[i] != layout::ABSENT; ++k)
           {
             if (tent.intersects(boxes[k]))
             {
-              expected[k].add({ scalars.values[i], scalars.values[i] });
+              expected[k].add({ values.normalized[i], values.normalized[i] });
             }
           }
         });
@@ -100,9 +98,8 @@ TEST(ValueRanges, AreEmptyWhereAllCellsAreAbsent)
   scene.cells = reference::fillCells(
     scene.hierarchy, [](int, const Int3&) { return std::numeric_limits<double>::quiet_NaN(); });
   const Built built = build(scene);
-  const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-  const ValueRanges ranges =
-    findValueRanges(built.tree, built.bricks, built.cellWidth(), scalars, 1);
+  const Values values = built.gather();
+  const ValueRanges ranges = findValueRanges(*built.structure, values, 1);
   for (const std::vector<ValueRange>* all : { &ranges.regions, &ranges.macrocells })
   {
     EXPECT_FALSE(all->empty());

@@ -4,8 +4,9 @@
 #ifndef ExaBricksReferenceField_h
 #define ExaBricksReferenceField_h
 
+#include "Core/CellSource.h"
 #include "Core/LeafBoxes.h"
-#include "Core/Scalars.h" // CellSource and Range
+#include "Core/Range.h"
 
 #include <array>
 #include <glm/vec3.hpp>

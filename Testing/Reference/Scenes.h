@@ -3,7 +3,8 @@
 #ifndef ExaBricksReferenceScenes_h
 #define ExaBricksReferenceScenes_h
 
-#include "Core/Scalars.h" // CellSource
+#include "Core/CellSource.h"
+#include "Core/Hierarchy.h"
 #include "Core/TransferFunction.h"
 
 #include <functional>

@@ -4,7 +4,8 @@
 #ifndef ExaBricksStabilityCase_h
 #define ExaBricksStabilityCase_h
 
-#include "Core/Scalars.h" // Hierarchy and CellSource
+#include "Core/CellSource.h"
+#include "Core/Hierarchy.h"
 #include "Reference/Oracle.h"
 
 #include "vtkOverlappingAMR.h"

@@ -116,12 +116,10 @@ void Subject::Build()
 {
   const Hierarchy& hierarchy = this->Given.hierarchy;
   auto contents = std::make_shared<vtkExaBricksData::Contents>();
-  contents->Structure = std::make_shared<const Structure>(buildStructure(hierarchy));
+  contents->Volume.structure = std::make_shared<const Structure>(buildStructure(hierarchy));
   contents->Origin = hierarchy.origin;
   contents->Spacing = hierarchy.spacing;
-  contents->Scalars = gatherScalars(hierarchy, contents->Structure->bricks, *this->Given.cells);
-  contents->Ranges = findValueRanges(
-    contents->Structure->tree, contents->Structure->bricks, hierarchy.cellWidth, contents->Scalars);
+  contents->Volume.values = makeValues(*contents->Volume.structure, *this->Given.cells);
   this->Contents = std::move(contents);
 }
 
@@ -211,13 +209,12 @@ reference::Image Subject::draw(
   view.quality.terminationOpacity = 1.0; // never
   vulkan::faults().largestValueBuffer = this->Given.largestValueBuffer;
   VolumeRenderer& renderer = renderers.get(reconstruction, traversal);
-  renderer.setVolume({ &this->Contents->Structure->tree, &this->Contents->Structure->bricks,
-    &this->Contents->Structure->hierarchy.cellWidth, &this->Contents->Scalars,
-    &this->Contents->Ranges });
-  renderer.setTransferFunction(makeTransferFunction(property, this->Contents->Scalars.range));
+  const Volume& subject = this->Contents->Volume;
+  renderer.setVolume(subject);
+  renderer.setTransferFunction(makeTransferFunction(property, subject.values->range));
   std::vector<glm::vec4> pixels;
   const std::string fault = renderer.render(view, pixels);
-  renderer.setVolume({}); // it outlives the contents
+  renderer.setVolume({}); // gives back what it takes
   vulkan::faults().largestValueBuffer = std::numeric_limits<std::uint64_t>::max();
   if (!fault.empty())
   {

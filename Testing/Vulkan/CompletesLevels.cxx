@@ -32,8 +32,8 @@ double sampleLayers(const SceneRenderer& subject, const glm::dvec3& logical, con
   double weight = 0.0;
   for (const std::uint32_t b : list)
   {
-    const Brick& brick = subject.completion.bricks[b];
-    const double width = static_cast<double>(subject.structure.hierarchy.cellWidth[brick.level]);
+    const Brick& brick = subject.structure.bricks[b];
+    const double width = static_cast<double>(subject.structure.width(brick));
     const glm::dvec3 q = (logical - glm::dvec3(brick.lo)) / width - 0.5;
     const glm::ivec3 base(glm::floor(q));
     if (glm::any(glm::lessThan(base, glm::ivec3(-1))) ||
@@ -52,8 +52,8 @@ double sampleLayers(const SceneRenderer& subject, const glm::dvec3& logical, con
       const glm::dvec3 part = glm::mix(1.0 - f, f, glm::dvec3(off));
       const double tent = part.x * part.y * part.z;
       const glm::ivec3 at = cell + 1;
-      const double value = subject.completion.scalars.values[brick.firstValue + at.x +
-        (brick.cells.x + 2) * (at.y + (brick.cells.y + 2) * at.z)];
+      const double value = subject.completed->ofBrick(
+        b)[at.x + (brick.cells.x + 2) * (at.y + (brick.cells.y + 2) * at.z)];
       if (value >= 0.0)
       {
         values += tent * value;
@@ -75,7 +75,7 @@ double sampleLayers(const SceneRenderer& subject, const glm::dvec3& logical, con
 
 double sampleLayers(const SceneRenderer& subject, const glm::dvec3& logical)
 {
-  std::vector<std::uint32_t> all(subject.completion.bricks.size());
+  std::vector<std::uint32_t> all(subject.structure.bricks.size());
   std::iota(all.begin(), all.end(), 0u);
   return sampleLayers(subject, logical, all);
 }
@@ -128,7 +128,7 @@ TEST(CompletesLevels, TheLayersHoldWhatTheCandidateComputes)
       SceneRenderer subject(makeScene(named.grid, field));
       subject.complete();
       const Sampler sampler(named.grid, field);
-      const Range range = subject.scalars.range;
+      const Range range = subject.plain.values->range;
       double largest = 0.0;
       for (int n = 0; n < 4000; ++n)
       {
@@ -154,7 +154,7 @@ TEST(CompletesLevels, PicturesAreThoseOfTheCandidate)
   for (const Named& named : allGrids())
   {
     SceneRenderer subject(makeScene(named.grid, field));
-    subject.setTransfer(normalized(rampTransfer(), subject.scalars.range));
+    subject.setTransfer(normalized(rampTransfer(), subject.plain.values->range));
     subject.complete();
     subject.opacityUnitDistance = settings.unitDistance;
     subject.stepScale = 0.125;
@@ -189,7 +189,7 @@ TEST(CompletesLevels, ConstantsAreExact)
   {
     SceneRenderer subject(makeScene(named.grid, constant(0.7)));
     subject.complete();
-    for (const float value : subject.completion.scalars.values)
+    for (const float value : subject.completed->normalized)
     {
       ASSERT_EQ(value, 0.0f);
     }
@@ -252,7 +252,7 @@ TEST(CompletesLevels, LinearFieldsAreExactAcrossLevels)
           {
             continue;
           }
-          const double value = subject.scalars.range.normalize(field.value(0.5 * (a + b)));
+          const double value = subject.plain.values->range.normalize(field.value(0.5 * (a + b)));
           const double depth =
             extinction(value) * glm::distance(a, b) / subject.opacityUnitDistance;
           const double found = -std::log1p(-image.at(x, y).a);
@@ -309,10 +309,10 @@ TEST(CompletesLevels, BricksOfALevelAgree)
     SceneRenderer subject(reference::randomScene(seed));
     subject.complete();
     std::map<std::tuple<int, std::int64_t, std::int64_t, std::int64_t>, float> values;
-    const float* value = subject.completion.scalars.values.data();
-    for (const Brick& brick : subject.completion.bricks)
+    const float* value = subject.completed->normalized.data();
+    for (const Brick& brick : subject.structure.bricks)
     {
-      const Int3 first = brick.lo / subject.structure.hierarchy.cellWidth[brick.level];
+      const Int3 first = brick.lo / subject.structure.width(brick);
       glm::ivec3 c;
       for (c.z = -1; c.z <= brick.cells.z; ++c.z)
       {
@@ -339,9 +339,7 @@ TEST(CompletesLevels, RegionsHaveTheirBricksAndRanges)
     SceneRenderer subject(reference::randomScene(seed));
     subject.complete();
     const RegionTree& tree = subject.structure.tree;
-    const std::vector<std::int64_t>& width = subject.structure.hierarchy.cellWidth;
-    const auto ranges =
-      findValueRanges(tree, subject.completion.bricks, width, subject.completion.scalars);
+    const ValueRanges& ranges = subject.completed->ranges;
     for (int n = 0; n < 300; ++n)
     {
       const glm::dvec3 half = glm::dvec3(tree.size) *

@@ -4,7 +4,6 @@
 #define ExaBricksTestingSceneRenderer_h
 
 #include "Core/Completion.h"
-#include "Core/Structure.h"
 #include "Reference/Oracle.h"
 #include "Reference/Scenes.h"
 #include "Vulkan/VolumeRenderer.h"
@@ -20,30 +19,18 @@ struct SceneRenderer
 {
   explicit SceneRenderer(const reference::Scene& s)
     : scene(s)
-    , structure(buildStructure(s.hierarchy))
-    , scalars(gatherScalars(s.hierarchy, structure.bricks, s.cells))
-    , ranges(findValueRanges(structure.tree, structure.bricks, s.hierarchy.cellWidth, scalars))
+    , plain(MakeVolume(s))
+    , structure(*plain.structure)
   {
-    this->renderer.setVolume(this->volume());
+    this->renderer.setVolume(this->plain);
     this->setTransfer(layeredTransfer());
-  }
-
-  Volume volume() const
-  {
-    return { &this->structure.tree, &this->structure.bricks, &this->structure.hierarchy.cellWidth,
-      &this->scalars, &this->ranges };
   }
 
   /// Draws what is completed across levels from here on.
   void complete()
   {
-    const std::vector<std::int64_t>& width = this->structure.hierarchy.cellWidth;
-    this->completion =
-      exabricks::complete(this->structure.tree, this->structure.bricks, width, this->scalars);
-    this->completedRanges = findValueRanges(
-      this->structure.tree, this->completion.bricks, width, this->completion.scalars);
-    this->renderer.setVolume({ &this->structure.tree, &this->completion.bricks, &width,
-      &this->completion.scalars, &this->completedRanges });
+    this->completed = exabricks::complete(this->structure, *this->plain.values);
+    this->renderer.setVolume({ this->plain.structure, this->completed });
     this->Check(this->renderer.prepare());
     this->reconstruction = Reconstruction::Completed;
   }
@@ -101,11 +88,9 @@ struct SceneRenderer
   }
 
   const reference::Scene scene;
-  const Structure structure;
-  const Scalars scalars;
-  const ValueRanges ranges;
-  Completion completion;
-  ValueRanges completedRanges;
+  const Volume plain;
+  const Structure& structure;              // of both
+  std::shared_ptr<const Values> completed; // null: not asked for
   VolumeRenderer renderer;
   TransferFunction transfer;
   double opacityUnitDistance = 1.0;
@@ -116,6 +101,12 @@ struct SceneRenderer
   Reconstruction reconstruction = Reconstruction::Basis;
 
 private:
+  static Volume MakeVolume(const reference::Scene& scene)
+  {
+    auto structure = std::make_shared<const Structure>(buildStructure(scene.hierarchy));
+    return { structure, makeValues(*structure, scene.cells) };
+  }
+
   static void Check(const std::string& fault)
   {
     if (!fault.empty())

@@ -41,8 +41,8 @@ TEST(BrickTree, FindsTheBricksAtAPoint)
     for (const BrickExtent extent : { BrickExtent::Cells, BrickExtent::Support })
     {
       const std::vector<layout::BrickTreeNode> tree =
-        buildBrickTree(built.bricks, built.cellWidth(), built.leaves.bounds.lo, extent);
-      ASSERT_EQ(tree.size(), 2 * built.bricks.size() - 1);
+        buildBrickTree(built.bricks(), built.cellWidth(), built.leaves.bounds.lo, extent);
+      ASSERT_EQ(tree.size(), 2 * built.bricks().size() - 1);
       EXPECT_LE(depthOf(tree, 0), layout::BRICK_TREE_DEPTH);
       for (int k = 0; k < 100; ++k)
       {
@@ -52,11 +52,11 @@ TEST(BrickTree, FindsTheBricksAtAPoint)
           point[axis] = std::uniform_real_distribution<double>(
             0.0, 2.0 * static_cast<double>(built.leaves.bounds.size()[axis]))(random);
         }
-        std::vector<int> visits(built.bricks.size(), 0);
+        std::vector<int> visits(built.bricks().size(), 0);
         forEachBrickAt(tree, point, [&](std::size_t b) { ++visits[b]; });
-        for (std::size_t b = 0; b < built.bricks.size(); ++b)
+        for (std::size_t b = 0; b < built.bricks().size(); ++b)
         {
-          const Box box = extentOf(built, built.bricks[b], extent);
+          const Box box = extentOf(built, built.bricks()[b], extent);
           const bool inside = glm::all(glm::lessThan(glm::dvec3(box.lo), point)) &&
             glm::all(glm::lessThan(point, glm::dvec3(box.hi)));
           EXPECT_LE(visits[b], 1);
@@ -74,7 +74,7 @@ TEST(BrickTree, OfDisjointBoxesIsOnePathDown)
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
     for (const layout::BrickTreeNode& node :
-      buildBrickTree(built.bricks, built.cellWidth(), built.leaves.bounds.lo, BrickExtent::Cells))
+      buildBrickTree(built.bricks(), built.cellWidth(), built.leaves.bounds.lo, BrickExtent::Cells))
     {
       EXPECT_TRUE((node.link & 3) == layout::BRICK_TREE_LEAF || node.lowerEnd <= node.upperBegin);
     }
@@ -86,7 +86,7 @@ TEST(BrickTree, VisitsFewBricksBesideTheRightOnes)
   const Built built =
     build(reference::makeShellScene("shell", reference::refinedAtShell({ 2, 2 }, 32, 4)));
   const std::vector<layout::BrickTreeNode> tree =
-    buildBrickTree(built.bricks, built.cellWidth(), built.leaves.bounds.lo, BrickExtent::Support);
+    buildBrickTree(built.bricks(), built.cellWidth(), built.leaves.bounds.lo, BrickExtent::Support);
   std::mt19937 random(1);
   std::size_t visited = 0;
   std::size_t right = 0;
@@ -101,13 +101,13 @@ TEST(BrickTree, VisitsFewBricksBesideTheRightOnes)
     forEachBrickAt(tree, point,
       [&](std::size_t b)
       {
-        const Box box = extentOf(built, built.bricks[b], BrickExtent::Support);
+        const Box box = extentOf(built, built.bricks()[b], BrickExtent::Support);
         ++visited;
         right += glm::all(glm::lessThan(glm::dvec3(box.lo), point)) &&
           glm::all(glm::lessThan(point, glm::dvec3(box.hi)));
       });
   }
-  std::cout << built.bricks.size() << " bricks, depth " << depthOf(tree, 0) << ": visited "
+  std::cout << built.bricks().size() << " bricks, depth " << depthOf(tree, 0) << ": visited "
             << visited << ", of which right " << right << "\n";
   EXPECT_LT(visited, 2 * right);
 }

@@ -54,19 +54,19 @@ struct NativeMarcher::Internals
   TransferTable table;
 
   Internals(const Volume& volume, const TransferFunction& transfer)
-    : size(volume.tree->size)
-    , brickLists(volume.tree->brickLists)
+    : size(volume.structure->tree.size)
+    , brickLists(volume.structure->tree.brickLists)
     , nodes(selectActiveRegions(volume, transfer).nodes)
     , depth(depthOf(nodes))
-    , values(volume.scalars->values)
+    , values(volume.values->normalized)
     , table(transfer)
   {
-    if (volume.scalars->absentCells > 0 || volume.scalars->layer != 0)
+    if (volume.values->absentCells > 0 || volume.values->layer != 0)
     {
       throw std::invalid_argument("expected a volume without absent cells, and without a layer "
                                   "around its bricks; give this one to VolumeRenderer");
     }
-    for (const layout::Region& region : volume.tree->regions)
+    for (const layout::Region& region : volume.structure->tree.regions)
     {
       if (region.brickCount > 0)
       {
@@ -74,12 +74,15 @@ struct NativeMarcher::Internals
       }
     }
     this->values.push_back(0.0f);
-    this->bricks.reserve(volume.bricks->size());
-    for (const Brick& brick : *volume.bricks)
+    const Structure& structure = *volume.structure;
+    this->bricks.reserve(structure.bricks.size());
+    for (std::size_t b = 0; b < structure.bricks.size(); ++b)
     {
-      const glm::ivec3 lo((brick.lo - volume.tree->bounds.lo) * std::int64_t(2));
-      const auto width = static_cast<int>((*volume.cellWidth)[brick.level]);
-      this->bricks.push_back(makeRecord(brick, lo, width, this->values.data() + brick.firstValue));
+      const Brick& brick = structure.bricks[b];
+      const glm::ivec3 lo((brick.lo - structure.tree.bounds.lo) * std::int64_t(2));
+      const auto width = static_cast<int>(structure.width(brick));
+      const float* first = this->values.data() + volume.values->firstValue[b];
+      this->bricks.push_back(makeRecord(brick, lo, width, first));
     }
   }
 };

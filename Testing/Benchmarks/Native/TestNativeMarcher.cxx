@@ -26,7 +26,7 @@ TEST(TestNativeMarcher, DrawsTheShadersPicture)
   {
     SceneRenderer subject(scene);
     subject.renderer.selectTraversal(Traversal::KdTree);
-    const NativeMarcher marcher(subject.volume(), subject.transfer);
+    const NativeMarcher marcher(subject.plain, subject.transfer);
     for (const double stepScale : { 0.25, 1.0 })
     {
       subject.stepScale = stepScale;
@@ -63,7 +63,7 @@ TEST(TestNativeMarcher, FollowsRaysFarFromTheirBase)
   }
   SceneRenderer both(scene);
   both.renderer.selectTraversal(Traversal::KdTree);
-  const NativeMarcher marcher(both.volume(), both.transfer);
+  const NativeMarcher marcher(both.plain, both.transfer);
 
   // Rays along the diagonal that begin before the first one and end behind the second.
   reference::View view = one.look({ 1.0, 1.0, 1.0 }, 0.0, 64);
@@ -76,7 +76,7 @@ TEST(TestNativeMarcher, FollowsRaysFarFromTheirBase)
   const View seen = both.toView(view);
   EXPECT_LE(largestDifference(draw(marcher, seen, 1), expected), 5e-6);
   // It sees both.
-  const NativeMarcher alone(one.volume(), one.transfer);
+  const NativeMarcher alone(one.plain, one.transfer);
   EXPECT_GT(static_cast<double>(marcher.count(seen).samples),
     1.5 * static_cast<double>(alone.count(one.toView(view)).samples));
 }
@@ -84,7 +84,7 @@ TEST(TestNativeMarcher, FollowsRaysFarFromTheirBase)
 TEST(TestNativeMarcher, CountsWhatAPictureTakes)
 {
   SceneRenderer subject(reference::twoLevels());
-  const NativeMarcher marcher(subject.volume(), subject.transfer);
+  const NativeMarcher marcher(subject.plain, subject.transfer);
   const reference::View from = subject.look({ 1.0, 0.2, 0.3 }, 30.0, 32);
   const NativeMarcher::Counts coarse = marcher.count(subject.toView(from));
   EXPECT_GT(coarse.rays, 0u);
@@ -102,11 +102,11 @@ TEST(TestNativeMarcher, CountsWhatAPictureTakes)
 TEST(TestNativeMarcher, RefusesWhatItCannotDraw)
 {
   const SceneRenderer holes(reference::holes());
-  ASSERT_GT(holes.scalars.absentCells, 0u);
-  EXPECT_THROW(NativeMarcher(holes.volume(), holes.transfer), std::invalid_argument);
+  ASSERT_GT(holes.plain.values->absentCells, 0u);
+  EXPECT_THROW(NativeMarcher(holes.plain, holes.transfer), std::invalid_argument);
 
   const SceneRenderer whole(reference::uniform());
-  const NativeMarcher marcher(whole.volume(), whole.transfer);
+  const NativeMarcher marcher(whole.plain, whole.transfer);
   View view = whole.toView(whole.look({ 1.0, 0.2, 0.3 }, 30.0, 8));
   view.quality.reconstruction = Reconstruction::Nearest;
   std::vector<glm::vec4> pixels;

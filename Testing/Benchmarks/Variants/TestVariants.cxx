@@ -17,7 +17,7 @@ namespace
 /// The picture of a variant.
 reference::Image draw(SceneRenderer& subject, const std::string& name, const reference::View& view)
 {
-  subject.renderer.selectProgram(findVariant(name).makeProgram(subject.volume()));
+  subject.renderer.selectProgram(findVariant(name).makeProgram(subject.plain));
   return subject.render(view);
 }
 
@@ -59,7 +59,7 @@ TEST(Variants, CellLocationNeedsWholeSupports)
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
   const reference::Image whole = draw(subject, "cell location", view);
   auto program =
-    std::make_shared<MarchProgram>(*findVariant("cell location").makeProgram(subject.volume()));
+    std::make_shared<MarchProgram>(*findVariant("cell location").makeProgram(subject.plain));
   const std::vector<layout::BrickTreeNode> cells = buildBrickTree(subject.structure.bricks,
     subject.structure.hierarchy.cellWidth, subject.structure.tree.bounds.lo, BrickExtent::Cells);
   ASSERT_EQ(cells.size() * sizeof(cells[0]), program->extra.size() * sizeof(program->extra[0]));
@@ -77,7 +77,7 @@ TEST(Variants, NaiveWalkDrawsTheSameAsFinestSteps)
     const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
     // Intervals have to begin at the same places: no region is cut.
     auto finest =
-      std::make_shared<MarchProgram>(*findVariant("finest steps").makeProgram(subject.volume()));
+      std::make_shared<MarchProgram>(*findVariant("finest steps").makeProgram(subject.plain));
     finest->skipsSpace = false;
     subject.renderer.selectProgram(finest);
     const reference::Image expected = subject.render(view);
@@ -148,7 +148,7 @@ TEST(Variants, ConvergeAsTheirRulesSay)
 TEST(Variants, CountsAreThoseOfTheMarch)
 {
   SceneRenderer subject(reference::uniform()); // one region, the whole tree
-  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.plain));
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
   int hits = 0;
   for (const glm::dvec4& count : subject.render(view).pixels)
@@ -167,7 +167,7 @@ TEST(Variants, CountsAreThoseOfTheMarch)
 TEST(Variants, CountsOfRegionsDoNotDependOnTheStep)
 {
   SceneRenderer subject(reference::twoLevels());
-  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.plain));
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
   glm::dvec4 sums[2] = { glm::dvec4(0.0), glm::dvec4(0.0) };
   for (int i = 0; i < 2; ++i)
@@ -189,7 +189,7 @@ TEST(Variants, CountsOfCompletedToo)
 {
   SceneRenderer subject(reference::twoLevels());
   subject.complete();
-  subject.renderer.selectProgram(countingVariant().makeProgram(subject.volume()));
+  subject.renderer.selectProgram(countingVariant().makeProgram(subject.plain));
   const reference::Image counts = subject.render(subject.look({ -0.6, 0.5, -0.4 }, 30.0, 32));
   for (const glm::dvec4& count : counts.pixels)
   {

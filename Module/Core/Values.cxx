@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Scalars.h"
+#include "Core/Values.h"
 
 #include "Core/BlockIndex.h"
 #include "Core/FirstException.h"
@@ -10,15 +10,6 @@
 
 namespace exabricks
 {
-CellSource::~CellSource() = default;
-
-bool CellSource::hasDuplicates(int) const { return false; }
-
-void CellSource::readDuplicates(int, const Box& cells, unsigned char* duplicate) const
-{
-  std::fill_n(duplicate, static_cast<std::size_t>(cells.volume()), static_cast<unsigned char>(0));
-}
-
 namespace
 {
 // Reads bricks: each cell from the finest block, not finer than the brick, that holds it. (Coarser
@@ -130,18 +121,13 @@ private:
   const BlockIndex Index;
 };
 
-std::uint64_t countCells(const std::vector<Brick>& bricks)
-{
-  return bricks.empty() ? 0 : bricks.back().firstValue + bricks.back().numberOfCells();
-}
-
 // Runs `work(brick, scratch)` for all bricks on all threads; `before` is the part of the whole that
 // is done.
 template <typename Work>
 bool forEachBrick(
-  const std::vector<Brick>& bricks, double before, const Progress& progress, const Work& work)
+  const Structure& structure, double before, const Progress& progress, const Work& work)
 {
-  const std::size_t count = bricks.size();
+  const std::size_t count = structure.bricks.size();
   if (progress && !progress(before))
   {
     return false;
@@ -149,7 +135,7 @@ bool forEachBrick(
   std::atomic<bool> aborted{ false };
   std::atomic<std::size_t> done{ 0 };
   FirstException failure;
-#pragma omp parallel if (countCells(bricks) > ParallelCells)
+#pragma omp parallel if (structure.leafCells > ParallelCells)
   {
     BrickReader::Scratch scratch;
     std::size_t own = 0;
@@ -177,13 +163,25 @@ bool forEachBrick(
 }
 }
 
-Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bricks,
-  const CellSource& source, const Progress& progress)
+std::vector<std::uint64_t> findFirstValues(const std::vector<Brick>& bricks, int layer)
 {
-  Scalars scalars;
-  const BrickReader reader(hierarchy, source);
+  std::vector<std::uint64_t> first;
+  first.reserve(bricks.size() + 1);
+  first.push_back(0);
+  for (const Brick& brick : bricks)
+  {
+    first.push_back(first.back() + brick.numberOfValues(layer));
+  }
+  return first;
+}
+
+Values gatherValues(const Structure& structure, const CellSource& source, const Progress& progress)
+{
+  Values values;
+  const std::vector<Brick>& bricks = structure.bricks;
+  const BrickReader reader(structure.hierarchy, source);
   std::vector<Range> ranges(bricks.size());
-  const bool ranged = forEachBrick(bricks, 0.0, progress,
+  const bool ranged = forEachBrick(structure, 0.0, progress,
     [&](std::size_t b, BrickReader::Scratch& scratch)
     {
       reader.read(bricks[b], scratch);
@@ -197,37 +195,53 @@ Scalars gatherScalars(const Hierarchy& hierarchy, const std::vector<Brick>& bric
     });
   for (const Range& range : ranges)
   {
-    scalars.range.add(range);
+    values.range.add(range);
   }
   std::vector<Range>().swap(ranges);
   if (!ranged)
   {
-    return scalars;
+    return values;
   }
 
-  scalars.values.resize(countCells(bricks));
-  scalars.brickHasAbsentCells.assign(bricks.size(), 0);
+  values.firstValue = findFirstValues(bricks, values.layer);
+  values.normalized.resize(values.firstValue.back());
+  values.brickHasAbsentCells.assign(bricks.size(), 0);
   std::atomic<std::uint64_t> absentCells{ 0 };
-  const bool gathered = forEachBrick(bricks, 0.5, progress,
+  const bool gathered = forEachBrick(structure, 0.5, progress,
     [&](std::size_t b, BrickReader::Scratch& scratch)
     {
       reader.read(bricks[b], scratch);
-      float* to = scalars.values.data() + bricks[b].firstValue;
+      float* to = values.normalized.data() + values.firstValue[b];
       std::uint64_t absent = 0;
       for (const double value : scratch.values)
       {
         const bool there = std::isfinite(value);
-        *to++ = there ? static_cast<float>(scalars.range.normalize(value)) : layout::ABSENT;
+        *to++ = there ? static_cast<float>(values.range.normalize(value)) : layout::ABSENT;
         absent += !there;
       }
-      scalars.brickHasAbsentCells[b] = absent > 0;
+      values.brickHasAbsentCells[b] = absent > 0;
       absentCells += absent;
     });
-  scalars.absentCells = absentCells;
+  values.absentCells = absentCells;
   if (!gathered)
   {
-    scalars.values.clear();
+    values.normalized.clear();
   }
-  return scalars;
+  return values;
+}
+
+std::shared_ptr<const Values> makeValues(
+  const Structure& structure, const CellSource& source, const Progress& progress)
+{
+  // Finding the ranges takes about a tenth of the time, and does not report.
+  const Progress gathering =
+    !progress ? Progress() : [&progress](double done) { return progress(0.9 * done); };
+  auto values = std::make_shared<Values>(gatherValues(structure, source, gathering));
+  if (values->normalized.empty())
+  {
+    return nullptr;
+  }
+  values->ranges = findValueRanges(structure, *values);
+  return !progress || progress(1.0) ? values : nullptr;
 }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gathered values are the source's, normalised without loss.
-#include "Core/Scalars.h"
 #include "Core/Structures.h"
 
 #include <cmath>
@@ -21,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Row
 {
   Built built;
-  Scalars scalars;
+  Values values;
 };
 
 Row gatherRow(const std::vector<double>& values)
@@ -31,12 +30,12 @@ Row gatherRow(const std::vector<double>& values)
   scene.hierarchy.blocks = { { 0, { Int3(0), Int3(values.size(), 1, 1) } } };
   scene.cells = fillCells(scene.hierarchy, [&](int, const Int3& cell) { return values[cell.x]; });
   Row row{ build(scene, 255), {} };
-  row.scalars = gatherScalars(row.built.hierarchy(), row.built.bricks, row.built.scene.cells);
+  row.values = row.built.gather();
   return row;
 }
 
 // The same level twice over the same two cells: one block has the values, the other duplicates.
-Scalars gatherTwice(bool firstIsReal)
+Values gatherTwice(bool firstIsReal)
 {
   Scene scene;
   scene.hierarchy.cellWidth = { 1 };
@@ -45,7 +44,7 @@ Scalars gatherTwice(bool firstIsReal)
     fillCells(scene.hierarchy, [](int, const Int3& cell) { return static_cast<double>(cell.x); });
   markDuplicates(scene.hierarchy, firstIsReal, scene.cells);
   const Built built = build(scene);
-  return gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
+  return built.gather();
 }
 
 // What the source has for the cell of `level` with the corner `corner` (logical): the value of the
@@ -113,16 +112,16 @@ TEST(Range, DoesNotOverflow)
 
 TEST(Range, IsEmptyAtFirst) { EXPECT_TRUE(Range().empty()); }
 
-TEST(Scalars, AreTheSourcesInBrickOrder)
+TEST(Values, AreTheSourcesInBrickOrder)
 {
   for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    ASSERT_EQ(scalars.values.size(), built.leaves.cells);
+    const Values values = built.gather();
+    ASSERT_EQ(values.normalized.size(), built.leaves.cells);
 
-    std::vector<double> expected(scalars.values.size());
+    std::vector<double> expected(values.normalized.size());
     Range range;
     std::uint64_t absent = 0;
     forEachLeafCell(built,
@@ -135,103 +134,120 @@ TEST(Scalars, AreTheSourcesInBrickOrder)
           range.add(expected[i]);
         }
       });
-    ASSERT_EQ(scalars.absentCells, absent);
-    ASSERT_EQ(scalars.range.min, range.min);
-    ASSERT_EQ(scalars.range.max, range.max);
+    ASSERT_EQ(values.absentCells, absent);
+    ASSERT_EQ(values.range.min, range.min);
+    ASSERT_EQ(values.range.max, range.max);
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
-      ASSERT_EQ(scalars.values[i],
+      ASSERT_EQ(values.normalized[i],
         std::isfinite(expected[i]) ? static_cast<float>(range.normalize(expected[i]))
                                    : layout::ABSENT);
     }
   }
 }
 
-TEST(Scalars, SayWhichBricksHaveAbsentCells)
+TEST(Values, SayWhichBricksHaveAbsentCells)
 {
   for (std::uint32_t seed = 0; seed < 50; ++seed)
   {
     const Built built = buildRandom(seed);
-    const Scalars scalars = gatherScalars(built.hierarchy(), built.bricks, built.scene.cells);
-    for (std::size_t b = 0; b < built.bricks.size(); ++b)
+    const Values values = built.gather();
+    for (std::size_t b = 0; b < built.bricks().size(); ++b)
     {
-      const auto first = scalars.values.begin() + built.bricks[b].firstValue;
-      const auto last = first + built.bricks[b].numberOfCells();
-      ASSERT_EQ(scalars.brickHasAbsentCells[b] != 0, std::count(first, last, layout::ABSENT) > 0);
+      const auto first = values.normalized.begin() + values.firstValue[b];
+      const auto last = first + built.bricks()[b].numberOfCells();
+      ASSERT_EQ(values.brickHasAbsentCells[b] != 0, std::count(first, last, layout::ABSENT) > 0);
     }
   }
 }
 
-TEST(Scalars, CountCellsThatAreNotFiniteAsAbsent)
+TEST(Values, CountCellsThatAreNotFiniteAsAbsent)
 {
-  const Scalars scalars = gatherRow({ 1.0, notANumber, 2.0, infinity, -infinity, 3.0 }).scalars;
-  EXPECT_EQ(scalars.absentCells, 3u);
-  EXPECT_EQ(scalars.values,
+  const Values values = gatherRow({ 1.0, notANumber, 2.0, infinity, -infinity, 3.0 }).values;
+  EXPECT_EQ(values.absentCells, 3u);
+  EXPECT_EQ(values.normalized,
     (std::vector<float>{ 0.0f, layout::ABSENT, 0.5f, layout::ABSENT, layout::ABSENT, 1.0f }));
 }
 
-TEST(Scalars, HaveAnEmptyRangeWhenAllAreAbsent)
+TEST(Values, HaveAnEmptyRangeWhenAllAreAbsent)
 {
-  const Scalars scalars = gatherRow({ notANumber, notANumber }).scalars;
-  EXPECT_TRUE(scalars.range.empty());
-  EXPECT_EQ(scalars.absentCells, 2u);
-  EXPECT_EQ(scalars.values, std::vector<float>(2, layout::ABSENT));
+  const Values values = gatherRow({ notANumber, notANumber }).values;
+  EXPECT_TRUE(values.range.empty());
+  EXPECT_EQ(values.absentCells, 2u);
+  EXPECT_EQ(values.normalized, std::vector<float>(2, layout::ABSENT));
 }
 
-TEST(Scalars, PreferRealCellsToDuplicatesInEitherOrder)
+TEST(Values, PreferRealCellsToDuplicatesInEitherOrder)
 {
   for (const bool firstIsReal : { true, false })
   {
-    const Scalars scalars = gatherTwice(firstIsReal);
-    EXPECT_EQ(scalars.range.max, 1.0);
-    EXPECT_EQ(scalars.values, (std::vector<float>{ 0.0f, 1.0f }));
+    const Values values = gatherTwice(firstIsReal);
+    EXPECT_EQ(values.range.max, 1.0);
+    EXPECT_EQ(values.normalized, (std::vector<float>{ 0.0f, 1.0f }));
   }
 }
 
-TEST(Scalars, KeepTheDetailOfANarrowRangeFarFrom0)
+TEST(Values, KeepTheDetailOfANarrowRangeFarFrom0)
 {
   std::vector<double> values; // floats of them would be 1/128 apart
   for (int i = 0; i <= 200; ++i)
   {
     values.push_back(101325.0 - 0.1 + 0.001 * i);
   }
-  const Scalars scalars = gatherRow(values).scalars;
-  EXPECT_EQ(std::set<float>(scalars.values.begin(), scalars.values.end()).size(), values.size());
-  EXPECT_TRUE(std::is_sorted(scalars.values.begin(), scalars.values.end()));
+  const std::vector<float> normalized = gatherRow(values).values.normalized;
+  EXPECT_EQ(std::set<float>(normalized.begin(), normalized.end()).size(), values.size());
+  EXPECT_TRUE(std::is_sorted(normalized.begin(), normalized.end()));
 }
 
-TEST(Scalars, KeepTheDetailOfTinyValues)
+TEST(Values, KeepTheDetailOfTinyValues)
 {
   std::vector<double> values;
   for (int i = 0; i <= 70; ++i) // densities from 1e-28 to 1e-21
   {
     values.push_back(1e-28 * std::pow(10.0, 0.1 * i));
   }
-  const Scalars scalars = gatherRow(values).scalars;
-  EXPECT_EQ(std::set<float>(scalars.values.begin(), scalars.values.end()).size(), values.size());
-  EXPECT_EQ(scalars.values.front(), 0.0f);
-  EXPECT_EQ(scalars.values.back(), 1.0f);
+  const std::vector<float> normalized = gatherRow(values).values.normalized;
+  EXPECT_EQ(std::set<float>(normalized.begin(), normalized.end()).size(), values.size());
+  EXPECT_EQ(normalized.front(), 0.0f);
+  EXPECT_EQ(normalized.back(), 1.0f);
 }
 
-TEST(Scalars, MaySpanAllDoubles)
+TEST(Values, MaySpanAllDoubles)
 {
   const double most = std::numeric_limits<double>::max();
   EXPECT_EQ(
-    gatherRow({ -most, 0.0, most }).scalars.values, (std::vector<float>{ 0.0f, 0.5f, 1.0f }));
+    gatherRow({ -most, 0.0, most }).values.normalized, (std::vector<float>{ 0.0f, 0.5f, 1.0f }));
 }
 
-TEST(Scalars, AreNoneWhenProgressAborts)
+TEST(Values, FollowOneAnotherBrickByBrick)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed)
+  {
+    const Built built = buildRandom(seed);
+    const Values values = built.gather();
+    std::uint64_t next = 0;
+    ASSERT_EQ(values.firstValue.size(), built.bricks().size() + 1);
+    for (std::size_t b = 0; b < built.bricks().size(); ++b)
+    {
+      ASSERT_EQ(values.firstValue[b], next);
+      next += built.bricks()[b].numberOfCells();
+    }
+    ASSERT_EQ(values.firstValue.back(), next);
+  }
+}
+
+TEST(Values, AreNoneWhenProgressAborts)
 {
   const Built built = build(twoLevels(), 1);
   for (const double at : { 0.0, 0.6 })
   {
     const auto abort = [&](double done) { return done < at; };
-    EXPECT_TRUE(
-      gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, abort).values.empty());
+    EXPECT_TRUE(gatherValues(*built.structure, built.scene.cells, abort).normalized.empty());
+    EXPECT_FALSE(makeValues(*built.structure, built.scene.cells, abort));
   }
 }
 
-TEST(Scalars, ReportProgressFromTheCallingThread)
+TEST(Values, ReportProgressFromTheCallingThread)
 {
   const Built built = build(twoLevels(), 1);
   const auto caller = std::this_thread::get_id();
@@ -243,7 +259,9 @@ TEST(Scalars, ReportProgressFromTheCallingThread)
     last = done;
     return true;
   };
-  EXPECT_FALSE(
-    gatherScalars(built.hierarchy(), built.bricks, built.scene.cells, watch).values.empty());
+  EXPECT_FALSE(gatherValues(*built.structure, built.scene.cells, watch).normalized.empty());
+  EXPECT_EQ(last, 1.0);
+  last = 0.0;
+  EXPECT_TRUE(makeValues(*built.structure, built.scene.cells, watch));
   EXPECT_EQ(last, 1.0);
 }
