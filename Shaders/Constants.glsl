@@ -5,7 +5,7 @@ Indices brickLists;
 TransferBins transferBins;
 TransferKnots transferKnots;
 float stepScale;
-float veiled;
+float transmittanceExponent;
 float inverseUnit;
 float integralUnit;
 float inverseIntegralUnit;
@@ -18,7 +18,7 @@ void readConstants(FrameBuffer f)
   transferBins = TransferBins(f.frame.transferBins);
   transferKnots = TransferKnots(f.frame.transferKnots);
   stepScale = f.frame.stepScale;
-  veiled = f.frame.veiled;
+  transmittanceExponent = f.frame.transmittanceExponent;
   inverseUnit = f.frame.inverseUnit;
   integralUnit = f.frame.integralUnit;
   inverseIntegralUnit = 1.0 / integralUnit;

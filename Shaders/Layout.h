@@ -28,6 +28,11 @@ using uint64_t = std::uint64_t;
 #define EXABRICKS_CONST const
 #endif
 
+// How the field is reconstructed between cell centres: a specialization constant.
+EXABRICKS_CONST uint RECONSTRUCTION_BASIS = 0u;
+EXABRICKS_CONST uint RECONSTRUCTION_NEAREST = 1u;
+EXABRICKS_CONST uint RECONSTRUCTION_COMPLETED = 2u;
+
 // A box of cells of one level. 32 bytes.
 struct Brick
 {
@@ -111,13 +116,13 @@ struct Frame
   ivec3 size;           // of the bounds, half cells
   uint width;           // pixels
   uint height;
-  float stepScale;          // of the boxes' steps
-  float veiled;             // steps grow with transmittance to the power of minus this
-  float inverseUnit;        // 1 / scalar opacity unit distance, in the data's coordinates
-  float terminationOpacity; // a ray ends at this opacity
-  float integralUnit;       // of the transfer function's integrals
-  uint hasDepth;            // 0: rays go to the far plane, the depth buffer is not read
-  uint64_t bricks;          // device addresses of Brick[], uint[], KdNode[], ...
+  float stepScale;             // of the boxes' steps
+  float transmittanceExponent; // steps grow with transmittance to the power of minus this
+  float inverseUnit;           // 1 / scalar opacity unit distance, in the data's coordinates
+  float terminationOpacity;    // a ray ends at this opacity
+  float integralUnit;          // of the transfer function's integrals
+  uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
+  uint64_t bricks;             // device addresses of Brick[], uint[], KdNode[], ...
   uint64_t brickLists;
   uint64_t nodes;
   uint64_t activeBoxes; // ActiveBox[]: of the acceleration structure

@@ -8,15 +8,35 @@
 #extension GL_EXT_ray_query : require
 #endif
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false; // neither: basis
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+
+// The pixel's ray.
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#include "Reconstruction.glsl"
+#include "Advance.glsl"
+
+// The field along it.
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
+#include "Field.glsl"
+
+// What it looks like.
 #include "TransferFunction.glsl"
-#include "Integration.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
+
+// The march.
+#include "Cursor.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #ifdef TRAVERSAL_KDTREE
 #include "TraverseKdTree.glsl"
 #else

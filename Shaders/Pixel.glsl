@@ -3,6 +3,13 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+vec4 marchPixel(FrameBuffer f, uvec2 pixel)
+{
+  Accumulator gathered = startAccumulator();
+  traverse(f, pixel, gathered);
+  return toPixel(gathered);
+}
+
 void main()
 {
   FrameBuffer f = FrameBuffer(push.band.frame);
@@ -12,16 +19,5 @@ void main()
     return;
   }
   readConstants(f);
-  March state;
-  state.intervals = 0;
-  state.exit = -1.0;
-  state.known = false;
-  state.last.value = 0.0;
-  state.color = vec4(0.0);
-  Ray ray;
-  if (makeRay(f, pixel, 0.0LF, ray))
-  {
-    march(f, pixel, ray, state);
-  }
-  Picture(f.frame.picture).pixels[pixel.y * f.frame.width + pixel.x] = state.color;
+  Picture(f.frame.picture).pixels[pixel.y * f.frame.width + pixel.x] = marchPixel(f, pixel);
 }

@@ -40,40 +40,43 @@ KdNode locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out
 
 // One flat loop: every lane takes an interval each time round, and walks the tree only when its
 // region is used up.
-void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
 {
   KdNodes nodes = KdNodes(f.frame.nodes);
-  double skip = 0.0LF;
-  float exit = ray.begin;
+  Pixel pixel;
+  Ray ray;
+  startRay(place, pixel, ray);
+  Cursor cursor = startCursor();
+  float exit = 0.0;
   Pending pending = Pending(uvec4(0), vec4(0.0));
   while (true)
   {
-    while (march.intervals == 0 && exit < ray.end)
+    while (cursor.intervals == 0)
     {
-      if (exit > REBASE_DISTANCE)
+      if (isUsedUp(ray, exit))
       {
-        skip += double(beforeRounding(exit));
-        if (!makeRay(f, pixel, skip, ray))
+        if (!advance(f, pixel, ray, exit))
         {
-          return;
+          break;
         }
         exit = ray.begin;
-        march.exit = -1.0; // distances count anew
+        forgetPoint(cursor);
         pending.nodes = uvec4(0);
       }
       const float entry = exit;
       const KdNode leaf = locate(nodes, ray, entry, pending, exit);
       if (leaf.link >> 2 != KD_NO_REGION)
       {
-        enterRegion(leaf.link >> 2, intBitsToFloat(leaf.plane), entry, exit, march);
+        enterRegion(leaf.link >> 2, intBitsToFloat(leaf.plane), growthOfIntervals(gathered), entry,
+          exit, cursor);
       }
     }
-    if (march.intervals == 0)
+    if (cursor.intervals == 0)
     {
       return;
     }
-    marchOn(ray, march);
-    if (march.color.a >= terminationOpacity)
+    marchOn(ray, cursor, gathered);
+    if (isOpaque(gathered))
     {
       return;
     }

@@ -16,22 +16,24 @@ const int NEAREST = 8;
 
 // The nearest few regions at a time, sorted by entry. The query starts at the ray's present point:
 // on some drivers a later start prunes nothing.
-void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
+void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
 {
   ActiveBoxes boxes = ActiveBoxes(f.frame.activeBoxes);
-  double skip = 0.0LF;
-  float distance = ray.begin;
-  while (distance < ray.end)
+  Pixel pixel;
+  Ray ray;
+  startRay(place, pixel, ray);
+  Cursor cursor = startCursor();
+  float distance = 0.0;
+  while (true)
   {
-    if (distance > REBASE_DISTANCE)
+    if (isUsedUp(ray, distance))
     {
-      skip += double(beforeRounding(distance));
-      if (!makeRay(f, pixel, skip, ray))
+      if (!advance(f, pixel, ray, distance))
       {
         return;
       }
       distance = ray.begin;
-      march.exit = -1.0; // distances count anew
+      forgetPoint(cursor);
     }
     float entry[NEAREST];
     uint region[NEAREST];
@@ -71,8 +73,8 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       }
     }
     const bool full = region[NEAREST - 1] != KD_NO_REGION;
-    bool rebase = false;
-    for (int k = 0; k < NEAREST && !rebase; ++k)
+    bool isFar = false;
+    for (int k = 0; k < NEAREST && !isFar; ++k)
     {
       if (region[k] == KD_NO_REGION)
       {
@@ -83,23 +85,24 @@ void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March march)
       if (cross.x > REBASE_DISTANCE)
       {
         distance = cross.x;
-        rebase = true;
+        isFar = true;
         break;
       }
-      enterRegion(box.firstBrick, box.step, cross.x, cross.y, march);
-      while (march.intervals > 0)
+      enterRegion(
+        box.firstBrick, box.step, growthOfIntervals(gathered), cross.x, cross.y, cursor);
+      while (cursor.intervals > 0)
       {
-        marchOn(ray, march);
-        if (march.color.a >= terminationOpacity)
+        marchOn(ray, cursor, gathered);
+        if (isOpaque(gathered))
         {
           return;
         }
       }
       distance = cross.y;
     }
-    if (!full && !rebase)
+    if (!full && !isFar)
     {
-      return;
+      distance = ray.end; // nothing is left up to there
     }
   }
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/MarchPass.h"
 
-#include "MarchKdTreeSpirv.h"
-#include "MarchRayQuerySpirv.h"
-
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace exabricks
@@ -26,47 +22,19 @@ void provide(Buffer& buffer, const std::shared_ptr<Device>& device, vk::DeviceSi
     buffer = Buffer(device, bytes, residence, purpose);
   }
 }
-
-vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const MarchProgram* program)
-{
-  if (program && !program->spirv.empty())
-  {
-    return { {}, program->spirv };
-  }
-  return traversal == Traversal::RayQuery
-    ? vk::ShaderModuleCreateInfo({}, sizeof(MarchRayQuerySpirv), MarchRayQuerySpirv)
-    : vk::ShaderModuleCreateInfo({}, sizeof(MarchKdTreeSpirv), MarchKdTreeSpirv);
-}
 }
 
-MarchPass::MarchPass(std::shared_ptr<Device> device, Traversal traversal,
-  Reconstruction reconstruction, bool beginsAtDepth, const MarchProgram* program)
+MarchPass::MarchPass(std::shared_ptr<Device> device, std::shared_ptr<MarchPipelines> pipelines)
   : Owner(std::move(device))
-  , How(traversal)
-  , Field(reconstruction)
+  , Pipelines(std::move(pipelines))
   , Constants(this->Owner, sizeof(layout::Frame), Residence::Upload, "the frame's constants")
 {
-  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Band));
-  this->Layout =
-    vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
-  const vk::raii::ShaderModule shader(this->Owner->handle(), shaderFor(traversal, program));
-  // Constants, so that the code of one variant alone is compiled.
-  const std::array<vk::Bool32, 3> values{ reconstruction == Reconstruction::Nearest,
-    reconstruction == Reconstruction::Completed, beginsAtDepth };
-  std::array<vk::SpecializationMapEntry, 3> entries;
-  for (std::uint32_t i = 0; i < entries.size(); ++i)
-  {
-    entries[i] = vk::SpecializationMapEntry(i, i * sizeof(vk::Bool32), sizeof(vk::Bool32));
-  }
-  const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
-  const vk::PipelineShaderStageCreateInfo stage(
-    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
-  this->Pipeline = vk::raii::Pipeline(
-    this->Owner->handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
 }
 
-void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4>& picture)
+void MarchPass::run(const MarchVariant& variant, layout::Frame frame, const View& view,
+  std::vector<glm::vec4>& picture)
 {
+  const vk::Pipeline pipeline = this->Pipelines->find(variant);
   const std::size_t pixels = static_cast<std::size_t>(view.target.width) * view.target.height;
   provide(this->Picture, this->Owner, pixels * sizeof(glm::vec4), Residence::Readback,
     Purpose::ofPicture("the picture", view.target.width, view.target.height));
@@ -104,9 +72,9 @@ void MarchPass::run(layout::Frame frame, const View& view, std::vector<glm::vec4
     this->Owner->submit(
       [&](const vk::raii::CommandBuffer& commands)
       {
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
+        commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
         commands.pushConstants<layout::Band>(
-          *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, band);
+          this->Pipelines->layout(), vk::ShaderStageFlagBits::eCompute, 0, band);
         commands.dispatch(
           (frame.width + GroupSize - 1) / GroupSize, (height + GroupSize - 1) / GroupSize, 1);
         const vk::MemoryBarrier toHost(

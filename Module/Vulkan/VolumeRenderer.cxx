@@ -8,7 +8,6 @@
 #include "Vulkan/KnownEffort.h"
 #include "Vulkan/MarchPass.h"
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -51,8 +50,8 @@ struct VolumeRenderer::Internals
   vulkan::Buffer Knots;
   float IntegralUnit = 1.0f;
   vulkan::Buffer Extra;
-  // For views without a nearDepth, and with one.
-  std::array<std::unique_ptr<vulkan::MarchPass>, 2> Passes;
+  std::shared_ptr<vulkan::MarchPipelines> Pipelines;
+  std::unique_ptr<vulkan::MarchPass> Pass;
   bool ColorsReady = false;
   bool Weighted = false; // steps are, by what they err
   KnownEffort Known;
@@ -86,7 +85,8 @@ struct VolumeRenderer::Internals
   {
     this->ProgramReady = false;
     this->Extra = {};
-    this->Passes = {};
+    this->Pass.reset();
+    this->Pipelines.reset();
   }
 
   void DropAll()
@@ -357,22 +357,27 @@ struct VolumeRenderer::Internals
         static_cast<std::size_t>(view.target.width) * view.target.height, glm::vec4(0.0f));
       return;
     }
-    std::unique_ptr<vulkan::MarchPass>& pass = this->Passes[view.target.nearDepth != nullptr];
-    if (!pass || pass->traversal() != this->Figures.traversal ||
-      pass->reconstruction() != view.quality.reconstruction)
+    if (!this->Pipelines)
     {
-      pass = std::make_unique<vulkan::MarchPass>(this->Device, this->Figures.traversal,
-        view.quality.reconstruction, view.target.nearDepth != nullptr, this->Program.get());
+      this->Pipelines = std::make_shared<vulkan::MarchPipelines>(this->Device, this->Program);
     }
+    if (!this->Pass)
+    {
+      this->Pass = std::make_unique<vulkan::MarchPass>(this->Device, this->Pipelines);
+    }
+    vulkan::MarchVariant variant;
+    variant.traversal = this->Figures.traversal;
+    variant.reconstruction = view.quality.reconstruction;
+    variant.beginsAtDepth = view.target.nearDepth != nullptr;
     layout::Frame frame{};
     detail.onDevice->fill(frame);
     frame.transferBins = this->Bins.address();
     frame.transferKnots = this->Knots.address();
     frame.integralUnit = this->IntegralUnit;
     frame.extra = this->Extra.address();
-    frame.veiled = this->Weighted ? 1.0f / 3.0f : 0.0f; // as StepWeights has it
+    frame.transmittanceExponent = this->Weighted ? 1.0f / 3.0f : 0.0f; // as StepWeights has it
     view.camera.ndcToHalfCells = detail.fromHalfCells * view.camera.ndcToHalfCells;
-    pass->run(frame, view, picture);
+    this->Pass->run(variant, frame, view, picture);
   }
 
   void March(View view, std::vector<glm::vec4>& picture)
@@ -474,7 +479,7 @@ struct VolumeRenderer::Internals
       }
       catch (const vulkan::PictureFailure& failure)
       {
-        this->Passes = {}; // all the rest can draw a smaller picture
+        this->Pass.reset(); // all the rest can draw a smaller picture
         return failure.what();
       }
       catch (const vulkan::Failure& failure)

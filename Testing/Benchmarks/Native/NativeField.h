@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shaders/Reconstruction.glsl in C++, the basis alone and without absent cells: the field at a
-// point from a list of bricks.
+// Shaders/Basis.glsl in C++, without absent cells: the field at a point from a list of bricks.
 #ifndef ExaBricksBenchmarksNativeField_h
 #define ExaBricksBenchmarksNativeField_h
 

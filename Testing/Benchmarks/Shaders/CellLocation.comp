@@ -4,17 +4,21 @@
 // bricks. Regions only skip space and give the length of intervals.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #define readConstants readCommonConstants
 #include "Constants.glsl"
 #undef readConstants
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#define sampleBasis sampleLists
-#include "Reconstruction.glsl"
-#undef sampleBasis
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
 
 #include "BrickTreeNode.h"
 
@@ -28,7 +32,7 @@ void readConstants(FrameBuffer f)
   brickTree = BrickTree(f.frame.extra);
 }
 
-float sampleBasis(Brick brick, uint others, Ray ray, float distance)
+float sampleField(Brick brick, uint others, Ray ray, float distance)
 {
   const vec3 local = ray.fraction + distance * ray.direction; // from the ray's base
   float sum = 0.0;
@@ -61,7 +65,7 @@ float sampleBasis(Brick brick, uint others, Ray ray, float distance)
     if (axis == BRICK_TREE_LEAF)
     {
       const Brick found = bricks.items[node.link >> 2];
-      addTents(found, toCells(found, ray, distance), sum, weight);
+      addBasis(found, toCells(found, ray, distance), sum, weight);
     }
     if (pendingCount == 0)
     {
@@ -73,6 +77,11 @@ float sampleBasis(Brick brick, uint others, Ray ray, float distance)
 }
 
 #include "TransferFunction.glsl"
-#include "Integration.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
+#include "Cursor.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #include "TraverseKdTree.glsl"
 #include "Pixel.glsl"

@@ -4,43 +4,56 @@
 // (red), of intervals (green), of regions entered (blue) and of steps down the tree (opacity).
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
 
 uvec4 counts = uvec4(0);
 
-#define sampleBasis sampleUncounted
-#include "Reconstruction.glsl"
-#undef sampleBasis
+#define sampleField sampleUncounted
+#include "Field.glsl"
+#undef sampleField
 
-float sampleBasis(Brick brick, uint others, Ray ray, float distance)
+float sampleField(Brick brick, uint others, Ray ray, float distance)
 {
   ++counts.r;
   return sampleUncounted(brick, others, ray, distance);
 }
 
 #include "TransferFunction.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
 #define enterRegion enterUncounted
 #define marchOn marchUncounted
-#include "Integration.glsl"
+#include "Cursor.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #undef enterRegion
 #undef marchOn
 
-void enterRegion(uint firstBrick, float step, float entry, float exit, inout March march)
+void enterRegion(
+  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
 {
   ++counts.b;
-  enterUncounted(firstBrick, step, entry, exit, march);
+  enterUncounted(firstBrick, step, growth, entry, exit, cursor);
 }
 
-void marchOn(Ray ray, inout March march)
+void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
-  const float before = march.entry;
-  marchUncounted(ray, march);
-  counts.g += uint(march.entry > before); // not where only a first point was sampled
+  const float before = cursor.entry;
+  marchUncounted(ray, cursor, gathered);
+  counts.g += uint(cursor.entry > before); // not where only a first point was sampled
 }
 
 // Each step down asks for the distance of one plane.
@@ -50,16 +63,17 @@ float planeDistanceOfStep(Ray ray, int plane, uint axis)
   return planeDistance(ray, plane, axis);
 }
 
-#define march marchAlong
+#define traverse traverseUncounted
 #define planeDistance planeDistanceOfStep
 #include "TraverseKdTree.glsl"
-#undef march
+#undef traverse
 #undef planeDistance
 
-void march(FrameBuffer f, uvec2 pixel, Ray ray, inout March state)
+void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
 {
-  marchAlong(f, pixel, ray, state);
-  state.color = vec4(counts);
+  counts = uvec4(0);
+  traverseUncounted(f, place, gathered);
+  gathered.color = vec4(counts);
 }
 
 #include "Pixel.glsl"

@@ -3,17 +3,29 @@
 // As March.comp, with steps that do not adapt: the finest cells' everywhere.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#include "Reconstruction.glsl"
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
+#include "Field.glsl"
 #include "TransferFunction.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
 #define enterRegion enterRegionByItsCells
-#include "Integration.glsl"
+#include "Cursor.glsl"
 #undef enterRegion
 #include "FinestSteps.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #include "TraverseKdTree.glsl"
 #include "Pixel.glsl"

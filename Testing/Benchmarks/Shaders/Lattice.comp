@@ -4,40 +4,53 @@
 // their length along the ray, and where regions end.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#include "Reconstruction.glsl"
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
+#include "Field.glsl"
 #include "TransferFunction.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
 #define enterRegion enterRegionAndFit
 #define marchOn marchFitted
-#include "Integration.glsl"
+#include "Cursor.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #undef enterRegion
 #undef marchOn
 
 float latticeStep; // of the region that the ray is in
 
-void enterRegion(uint firstBrick, float step, float entry, float exit, inout March march)
+void enterRegion(
+  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
 {
-  enterRegionAndFit(firstBrick, step, entry, exit, march);
+  enterRegionAndFit(firstBrick, step, growth, entry, exit, cursor);
   latticeStep = 2.0 * stepScale * abs(step);
-  march.halved = true;
-  march.intervals = 1;
+  cursor.halved = true;
+  cursor.intervals = 1;
 }
 
 // The interval up to the next multiple is marched as if the region ended there.
-void marchOn(Ray ray, inout March march)
+void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
-  const float exit = march.exit;
-  float next = (floor(march.entry / latticeStep) + 1.0) * latticeStep;
-  next = next > march.entry ? next : march.entry + latticeStep; // rounding
-  march.exit = min(exit, next);
-  marchFitted(ray, march);
-  march.exit = exit;
-  march.intervals = march.entry < exit ? 1 : 0;
+  const float exit = cursor.exit;
+  float next = (floor(cursor.entry / latticeStep) + 1.0) * latticeStep;
+  next = next > cursor.entry ? next : cursor.entry + latticeStep; // rounding
+  cursor.exit = min(exit, next);
+  marchFitted(ray, cursor, gathered);
+  cursor.exit = exit;
+  cursor.intervals = cursor.entry < exit ? 1 : 0;
 }
 
 #include "TraverseKdTree.glsl"

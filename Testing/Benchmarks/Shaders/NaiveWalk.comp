@@ -7,17 +7,21 @@
 // picture is that of FinestSteps.comp.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #define readConstants readCommonConstants
 #include "Constants.glsl"
 #undef readConstants
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#define sampleBasis sampleLists
-#include "Reconstruction.glsl"
-#undef sampleBasis
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
 
 #include "BrickTreeNode.h"
 
@@ -59,7 +63,7 @@ bool findLeafCell(ivec3 center, int width, out float value)
   return value >= 0.0; // absent ones are not there
 }
 
-float sampleBasis(Brick brick, uint others, Ray ray, float distance)
+float sampleField(Brick brick, uint others, Ray ray, float distance)
 {
   const vec3 local = ray.fraction + distance * ray.direction;
   float sum = 0.0;
@@ -90,9 +94,14 @@ float sampleBasis(Brick brick, uint others, Ray ray, float distance)
 }
 
 #include "TransferFunction.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
 #define enterRegion enterRegionByItsCells
-#include "Integration.glsl"
+#include "Cursor.glsl"
 #undef enterRegion
 #include "FinestSteps.glsl"
+#include "MarchCells.glsl"
+#include "MarchIntervals.glsl"
+#include "MarchOn.glsl"
 #include "TraverseKdTree.glsl"
 #include "Pixel.glsl"

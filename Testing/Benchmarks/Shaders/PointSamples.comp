@@ -4,47 +4,53 @@
 // values that it takes: MIDDLE or LEFT_END. As many samples for a step scale as ours.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#include "Reconstruction.glsl"
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
+#include "Field.glsl"
 #include "TransferFunction.glsl"
+#include "Absorption.glsl"
+#include "Composite.glsl"
 #define enterRegion enterRegionForMeans
-#define marchOn marchOnByMeans
-#include "Integration.glsl"
+#include "Cursor.glsl"
 #undef enterRegion
-#undef marchOn
+#include "MarchIntervals.glsl"
 
-void enterRegion(uint firstBrick, float step, float entry, float exit, inout March march)
+void enterRegion(
+  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
 {
-  enterRegionForMeans(firstBrick, step, entry, exit, march);
+  enterRegionForMeans(firstBrick, step, growth, entry, exit, cursor);
   const float interval = stepScale * abs(step);
   const float count = max(ceil((exit - entry) / interval), 1.0);
-  march.interval = march.cut ? interval : (exit - entry) / count;
-  march.intervals = march.cut ? 1 : uint(count);
+  cursor.interval = cursor.cut ? interval : (exit - entry) / count;
+  cursor.intervals = cursor.cut ? 1 : uint(count);
 }
 
-void marchOn(Ray ray, inout March march)
+void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
   float end;
-  if (findEnd(ray, march, end))
+  if (findEnd(ray, cursor, end))
   {
 #ifdef MIDDLE
-    const float at = 0.5 * (march.entry + end);
+    const float at = 0.5 * (cursor.entry + end);
 #else
-    const float at = march.entry;
+    const float at = cursor.entry;
 #endif
-    const float value = sampleBasis(march.brick, march.list, ray, at);
-    const TransferPart part = findPart(transferBins, transferKnots, value);
-    march.color += (1.0 - march.color.a) *
-      absorb(mix(part.lower, part.upper, part.share),
-        (end - march.entry) * ray.dataPerHalfCell * inverseUnit);
+    addConstant(sampleField(cursor.brick, cursor.others, ray, at),
+      (end - cursor.entry) * ray.dataPerHalfCell * inverseUnit, gathered);
   }
-  march.entry = end;
-  march.intervals = march.cut ? (end < march.exit ? 1 : 0) : march.intervals - 1;
+  cursor.entry = end;
+  cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
 }
 
 #include "TraverseKdTree.glsl"

@@ -5,34 +5,46 @@
 // samples stand for more, come out too transparent, and finer steps too opaque.
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 0) const bool nearest = false;
-layout(constant_id = 1) const bool completed = false;
-
 #include "Buffers.glsl"
 #include "Constants.glsl"
-#define makeRay makeRayAlone
+#include "Variant.glsl"
+#include "ToIndex.glsl"
+#include "Camera.glsl"
+#include "Segments.glsl"
 #include "Ray.glsl"
-#undef makeRay
-#include "Reconstruction.glsl"
-#define absorbBetween absorbLength
+#include "Advance.glsl"
+#include "Bricks.glsl"
+#include "LeafCell.glsl"
+#include "Trilinear.glsl"
+#include "Basis.glsl"
+#include "Completed.glsl"
+#include "Field.glsl"
 #include "TransferFunction.glsl"
+#define absorbBetween absorbLength
+#include "Absorption.glsl"
 #undef absorbBetween
 
 float unitsPerSample; // unit distances
 
-bool makeRay(FrameBuffer f, uvec2 pixel, double skip, out Ray ray)
+vec4 absorbBetween(
+  TransferPoint from, TransferPoint to, vec2 values, TransferPart part, float units)
 {
-  const bool hits = makeRayAlone(f, pixel, skip, ray);
+  return absorbLength(from, to, values, part, unitsPerSample);
+}
+
+#include "Composite.glsl"
+#include "Cursor.glsl"
+#include "MarchCells.glsl"
+#define marchInterval marchLength
+#include "MarchIntervals.glsl"
+#undef marchInterval
+
+void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
   unitsPerSample = 2.0 * ray.dataPerHalfCell * inverseUnit;
-  return hits;
+  marchLength(ray, cursor, gathered);
 }
 
-vec4 absorbBetween(TransferBins bins, TransferKnots knots, TransferPoint from, TransferPoint to,
-  TransferPart part, float integralUnit, float units)
-{
-  return absorbLength(bins, knots, from, to, part, integralUnit, unitsPerSample);
-}
-
-#include "Integration.glsl"
+#include "MarchOn.glsl"
 #include "TraverseKdTree.glsl"
 #include "Pixel.glsl"

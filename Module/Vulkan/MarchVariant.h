@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which march a picture takes. Each has a pipeline of its own, so that none pays for what another
+// one does.
+#ifndef ExaBricksVulkanMarchVariant_h
+#define ExaBricksVulkanMarchVariant_h
+
+#include "Vulkan/VolumeRenderer.h"
+
+#include <tuple>
+
+namespace exabricks
+{
+namespace vulkan
+{
+/// How what lies along a ray becomes a colour.
+enum class Blending
+{
+  Composite // absorption and emission, front to back
+};
+
+struct MarchVariant
+{
+  Traversal traversal = Traversal::KdTree; // RayQuery or KdTree
+  Reconstruction reconstruction = Reconstruction::Basis;
+  Blending blending = Blending::Composite;
+  bool beginsAtDepth = false; // for views with a nearDepth
+};
+
+inline auto asTuple(const MarchVariant& variant)
+{
+  return std::make_tuple(
+    variant.traversal, variant.reconstruction, variant.blending, variant.beginsAtDepth);
+}
+
+inline bool operator<(const MarchVariant& a, const MarchVariant& b)
+{
+  return asTuple(a) < asTuple(b);
+}
+
+inline bool operator==(const MarchVariant& a, const MarchVariant& b)
+{
+  return asTuple(a) == asTuple(b);
+}
+}
+}
+
+#endif

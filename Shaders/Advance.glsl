@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A pixel's ray as its traversal sees it: one local frame after the other, front to back. It need
+// not know why there is another one: the ray has come far from its base, or a segment has ended and
+// the next one begins.
+
+struct Pixel
+{
+  uvec2 place;
+  int segment; // that the ray is in; -1: before the first
+  double skip; // from the beginning of the segment to that of the local frame, half cells
+};
+
+// Before the first segment, and without a frame.
+void startRay(uvec2 place, out Pixel pixel, out Ray ray)
+{
+  pixel.place = place;
+  pixel.segment = -1;
+  pixel.skip = 0.0LF;
+  ray.begin = 0.0;
+  ray.end = 0.0;
+}
+
+// Whether the ray, as it is now, goes no further than this.
+bool isUsedUp(Ray ray, float distance)
+{
+  return !(distance < ray.end) || distance > REBASE_DISTANCE;
+}
+
+// What comes behind `distance`, at which the ray is used up. Distances count anew from there, and
+// ray.begin is where it goes on. False: the pixel's ray has ended.
+bool advance(FrameBuffer f, inout Pixel pixel, inout Ray ray, float distance)
+{
+  const bool sameSegment = distance < ray.end;
+  pixel.segment += sameSegment ? 0 : 1;
+  pixel.skip = sameSegment ? pixel.skip + double(beforeRounding(distance)) : 0.0LF;
+  for (; pixel.segment < SEGMENTS; ++pixel.segment)
+  {
+    Segment segment;
+    if (findSegment(f, pixel.place, pixel.segment, segment) &&
+      makeRay(segment.line, segment.begin + pixel.skip, segment.end, f.frame.size, ray))
+    {
+      return true;
+    }
+    pixel.skip = 0.0LF;
+  }
+  return false;
+}

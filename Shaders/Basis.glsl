@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Basis: the mean of the cells' values weighted with their tents, B = sum H_c v_c / sum H_c (Wald et
+// al. 2020, section 3). Within a brick the tents add up to trilinear interpolation times the tent of
+// the distance from the box of cell centres.
+
+// Adds a brick's tents at `q`, in cells from its lower corner.
+void addBasis(Brick brick, vec3 q, inout float sum, inout float weight)
+{
+  const uvec3 n = cellsOf(brick);
+  q -= 0.5;
+  const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
+  const vec3 h = max(1.0 - abs(q - c), 0.0);
+  const float w = h.x * h.y * h.z;
+  if (w <= 0.0)
+  {
+    return;
+  }
+  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
+  const uvec3 i = toIndex(corner);
+  const vec3 f = c - corner;
+  const uint dx = n.x > 1u ? 1u : 0u;
+  const uint dy = n.y > 1u ? n.x : 0u;
+  const uint dz = n.z > 1u ? n.x * n.y : 0u;
+  const uint at = i.x + n.x * (i.y + n.y * i.z);
+  Values values = Values(brick.values);
+  const vec4 lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
+    values.items[at + dy + dx]);
+  const vec4 upper = vec4(values.items[at + dz], values.items[at + dz + dx],
+    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    sum += w * interpolate(lower, upper, f);
+    weight += w;
+    return;
+  }
+  const vec4 tents = tentsOf(f.xy);
+  const vec4 lowerTents = tents * (w * (1.0 - f.z)) * vec4(greaterThanEqual(lower, vec4(0.0)));
+  const vec4 upperTents = tents * (w * f.z) * vec4(greaterThanEqual(upper, vec4(0.0)));
+  sum += dot(lowerTents, lower) + dot(upperTents, upper);
+  weight += dot(lowerTents + upperTents, vec4(1.0));
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists of bricks, and where the values of a brick's cells are.
+
+// The brick at a place in the lists. The place comes back as that of the next one of the list, or as 0
+// after the last one, which no list goes on from.
+Brick nextBrick(inout uint place)
+{
+  const uint entry = brickLists.items[place];
+  place = (entry & LAST_BRICK) == 0u ? place + 1u : 0u;
+  return bricks.items[entry & ~LAST_BRICK];
+}
+
+uvec3 cellsOf(Brick brick)
+{
+  return uvec3(brick.dimensions, brick.dimensions >> 8, brick.dimensions >> 16) & 0xffu;
+}
+
+// The ray's point at `distance`, in cells from the brick's lower corner.
+vec3 toCells(Brick brick, Ray ray, float distance)
+{
+  return (vec3(ray.base - brick.lo) + (ray.fraction + distance * ray.direction)) *
+    (0.5 / float(brick.width));
+}
+
+// Where the value of a cell is. Completed bricks have a layer of one more around them, from -1 on.
+uint placeOf(uvec3 n, ivec3 cell)
+{
+  const uint layer = isCompleted ? 1u : 0u;
+  const uvec3 at = uvec3(cell + int(layer));
+  const uvec3 size = n + 2u * layer;
+  return at.x + size.x * (at.y + size.y * at.z);
+}
+
+float valueAt(Brick brick, uvec3 n, uvec3 cell)
+{
+  return Values(brick.values).items[placeOf(n, ivec3(cell))];
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a ray is: the region that it is in, and how far it has come there. What it has gathered is
+// kept apart, by the way of blending.
+
+struct Cursor
+{
+  Brick brick; // the first of the region's: most regions have one alone
+  uint others; // place of the rest in the lists; 0: there are none
+  float entry; // distance at which the next interval begins
+  float exit;  // distance at which the ray leaves the region
+  uint intervals; // number still to do; where they end at faces of cells: 0, or 1 for some
+
+  // Where the field is continuous
+  bool cut;       // intervals end at faces of cells, as some are absent
+  float interval; // greatest length of an interval; unless cut, a whole number fills the region
+  bool halved;    // by a sample in its middle
+  bool known;     // the field at `entry` is
+  float value;    // it
+};
+
+// In no region, and nothing is known.
+Cursor startCursor()
+{
+  Cursor cursor;
+  cursor.intervals = 0;
+  cursor.exit = -1.0;
+  cursor.known = false;
+  cursor.value = 0.0;
+  return cursor;
+}
+
+// Distances count anew: what was known at the last of the old ones is of no use.
+void forgetPoint(inout Cursor cursor)
+{
+  cursor.exit = -1.0;
+}
+
+// `step`: as in ActiveBox. `growth`: of intervals, as their error is seen less.
+void enterRegion(
+  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
+{
+  cursor.others = firstBrick;
+  cursor.brick = nextBrick(cursor.others);
+  cursor.intervals = 1;
+  if (!isNearest)
+  {
+    // Samples at most a step apart, two to an interval, unless one alone does for the region.
+    cursor.cut = step < 0.0;
+    const float interval = 2.0 * stepScale * abs(step) * growth;
+    const float count = max(ceil((exit - entry) / interval), 1.0);
+    cursor.halved = cursor.cut || exit - entry > 0.5 * interval;
+    cursor.interval = cursor.cut ? interval : (exit - entry) / count;
+    cursor.intervals = cursor.cut ? 1 : uint(count);
+    // The field is continuous: the last point of the region before is the first of this one.
+    cursor.known = cursor.known && cursor.exit == entry;
+  }
+  cursor.entry = entry;
+  cursor.exit = exit;
+}

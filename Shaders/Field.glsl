@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The field where it is continuous, at a point from a list of bricks: the reconstructions add their
+// weighted values up brick by brick.
+
+// The ray's point at `distance` has to lie in a cell that is there: then its own tent alone weighs 1/8
+// at least. `others`: place of the rest of the list, 0: there is none.
+float sampleField(Brick brick, uint others, Ray ray, float distance)
+{
+  float sum = 0.0;
+  float weight = 0.0;
+  while (true)
+  {
+    const vec3 q = toCells(brick, ray, distance);
+    if (isCompleted)
+    {
+      addCompleted(brick, q, sum, weight);
+    }
+    else
+    {
+      addBasis(brick, q, sum, weight);
+    }
+    if (others == 0u)
+    {
+      break;
+    }
+    brick = nextBrick(others);
+  }
+  return clamp(sum / weight, 0.0, 1.0); // which rounding may pass
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which leaf cell a ray is in, and where it leaves it.
+
+// The leaf cell that the ray enters at `distance`: its value, and `end`, which comes as the end of the
+// region and goes as the end of the cell, if that is nearer. The region lies in leaf cells, so one of
+// its bricks holds the point; by rounding it may miss them all by a hair, so take the closest. False:
+// the cell is absent.
+bool findCell(
+  Brick brick, uint others, Ray ray, float distance, inout float end, out float value)
+{
+  const float inside = min(behindFace(distance), end);
+  float closest = 1e30;
+  Brick holder = brick;
+  uvec3 cell = uvec3(0);
+  while (true)
+  {
+    const uvec3 n = cellsOf(brick);
+    const vec3 q = toCells(brick, ray, inside);
+    const vec3 off = abs(q - clamp(q, vec3(0.0), vec3(n))) * float(brick.width);
+    // A cell's upper faces are those of the next cells: on them both sides miss by nothing.
+    const float miss = off.x + off.y + off.z + (any(greaterThanEqual(q, vec3(n))) ? 1e-20 : 0.0);
+    if (miss < closest)
+    {
+      closest = miss;
+      holder = brick;
+      cell = toIndex(floor(clamp(q, vec3(0.0), vec3(n) - 0.5)));
+    }
+    if (others == 0u || closest == 0.0)
+    {
+      break;
+    }
+    brick = nextBrick(others);
+  }
+  value = valueAt(holder, cellsOf(holder), cell);
+  const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));
+  const ivec3 face = holder.lo + 2 * holder.width * ahead;
+  vec3 leaves = vec3(planeDistance(ray, face.x, 0), planeDistance(ray, face.y, 1),
+    planeDistance(ray, face.z, 2));
+  // A ray in a face does not leave through it.
+  leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
+  const float leave = min(leaves.x, min(leaves.y, leaves.z));
+  end = min(end, max(leave, inside));
+  return value >= 0.0;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nearest: the field has the value of the leaf cell that the ray is in, and does not change up to the
+// next face of a cell, so the integral is exact.
+void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
+  float value;
+  float end = cursor.exit;
+  if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
+  {
+    addConstant(value, (end - cursor.entry) * ray.dataPerHalfCell * inverseUnit, gathered);
+  }
+  cursor.entry = end;
+  cursor.intervals = end < cursor.exit ? 1 : 0;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the field is continuous: intervals over which it is taken to go evenly from the last point to
+// the sample in the middle, and on to the next point.
+
+// Where the next interval ends. False: there is nothing up to there.
+bool findEnd(Ray ray, Cursor cursor, out float end)
+{
+  if (!cursor.cut)
+  {
+    end = cursor.intervals == 1 ? cursor.exit : cursor.entry + cursor.interval;
+    return true;
+  }
+  float value;
+  end = cursor.exit;
+  const bool there = findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value);
+  const float count = ceil((end - cursor.entry) / cursor.interval);
+  end = there && count > 1.0 ? cursor.entry + (end - cursor.entry) / count : end;
+  return there;
+}
+
+// The next interval; at first, the point where the first one begins.
+void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
+  float end;
+  const bool there = findEnd(ray, cursor, end);
+  const bool first = there && !cursor.known;
+  if (there)
+  {
+    const float length = end - cursor.entry;
+    const int count = cursor.halved && !first ? 2 : 1;
+    float middle = 0.0;
+    float value = 0.0;
+    for (int k = 1; k <= count; ++k)
+    {
+      middle = value;
+      value = sampleField(cursor.brick, cursor.others, ray,
+        first ? cursor.entry : k == count ? end : cursor.entry + 0.5 * length);
+    }
+    // The middle that gives the halves together the mean of the parabola through all three (Simpson's
+    // rule); but no value that lies beyond them, which the field may not take.
+    const float last = cursor.value;
+    middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
+      max(middle, max(last, value)));
+    const float units = length / float(count) * ray.dataPerHalfCell * inverseUnit;
+    for (int k = 1; k <= count; ++k)
+    {
+      const float next = k == count ? value : middle;
+      addInterval(cursor.value, next, units, first, gathered);
+      cursor.value = next;
+    }
+  }
+  cursor.known = there;
+  if (!first)
+  {
+    cursor.entry = end;
+    cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
+  }
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The next piece of the region that the ray is in.
+void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
+  if (isNearest)
+  {
+    marchCell(ray, cursor, gathered);
+  }
+  else
+  {
+    marchInterval(ray, cursor, gathered);
+  }
+}
