@@ -16,4 +16,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Tra
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Counter { uint next; };
+
 layout(push_constant, scalar) uniform Push { Band band; } push;

@@ -132,15 +132,30 @@ struct Frame
   uint64_t nearDepth; // the same, at which they begin
   uint64_t picture;   // vec4[height][width], premultiplied, row 0 at the bottom
   uint64_t scene;     // acceleration structure
-  uint64_t extra;     // uint[]: a MarchProgram's own data
 };
 
 // What one dispatch marches: some rows of a picture.
 struct Band
 {
-  uint64_t frame; // device address of the Frame
+  uint64_t frame;   // device address of the Frame
+  uint64_t counter; // of a uint: the next pixel, in the order of tiles, where they are taken by it
   uint firstRow;
 };
+
+// How much two pictures differ: what one dispatch of Difference.comp finds out.
+struct Comparison
+{
+  uint64_t first; // device addresses of vec4[pixels]
+  uint64_t second;
+  uint64_t result; // of a PictureDifference
+  uint pixels;
+};
+struct PictureDifference
+{
+  float squares; // summed over the channels of the drawn pixels
+  uint drawn;    // pixels that are, in either picture
+};
+EXABRICKS_CONST float DRAWN_OPACITY = 1.0f / 255.0f; // that a drawn pixel has at least
 
 #ifdef __cplusplus
 static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
@@ -149,7 +164,7 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 392, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -10,10 +10,22 @@ vec4 marchPixel(FrameBuffer f, uvec2 pixel)
   return toPixel(gathered);
 }
 
+// The pixel of this invocation, of the rows that are marched. Tiles of 8 x 8 pixels come row by row.
+uvec2 findPixel(uint width)
+{
+  const uint columns = (width + 7u) / 8u; // of tiles
+  const uint i = takesTiles
+    ? atomicAdd(Counter(push.band.counter).next, 1u)
+    : gl_LocalInvocationIndex + 64u * (gl_WorkGroupID.x + columns * gl_WorkGroupID.y);
+  const uint tile = i / 64u;
+  const uvec2 corner = 8u * uvec2(tile % columns, tile / columns);
+  return corner + uvec2(i % 8u, i / 8u % 8u) + uvec2(0u, push.band.firstRow);
+}
+
 void main()
 {
   FrameBuffer f = FrameBuffer(push.band.frame);
-  const uvec2 pixel = gl_GlobalInvocationID.xy + uvec2(0, push.band.firstRow);
+  const uvec2 pixel = findPixel(f.frame.width);
   if (pixel.x >= f.frame.width || pixel.y >= f.frame.height)
   {
     return;

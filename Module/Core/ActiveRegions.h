@@ -4,7 +4,7 @@
 #ifndef ExaBricksCoreActiveRegions_h
 #define ExaBricksCoreActiveRegions_h
 
-#include "Core/StepControl.h"
+#include "Core/StepWeights.h"
 #include "Core/Volume.h"
 
 namespace exabricks

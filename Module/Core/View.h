@@ -67,6 +67,19 @@ struct View
   Quality quality;
   double opacityUnitDistance = 1.0; // length in the data's coordinates
 };
+
+/// Whether both show the same in the same size, but for depths.
+inline bool samePicture(const View& a, const View& b)
+{
+  return a.camera.ndcToHalfCells == b.camera.ndcToHalfCells &&
+    a.camera.ndcToData == b.camera.ndcToData && a.target.width == b.target.width &&
+    a.target.height == b.target.height && a.quality.reconstruction == b.quality.reconstruction &&
+    a.quality.stepScale == b.quality.stepScale &&
+    a.quality.errorTolerance == b.quality.errorTolerance &&
+    a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
+    a.quality.terminationOpacity == b.quality.terminationOpacity &&
+    a.opacityUnitDistance == b.opacityUnitDistance;
+}
 }
 
 #endif

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/Buffer.h"
 
-#include "Vulkan/Faults.h"
-
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <optional>
 
@@ -50,13 +49,17 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
   {
     case Residence::Device:
       required = Flag::eDeviceLocal;
-      // where all memory is one, as on CPUs, nothing needs staging
-      preferred = this->Owner->isCpu() ? hostWrites : vk::MemoryPropertyFlags();
+      // Where all memory is shared, nothing needs staging; elsewhere, what the host can see of the
+      // device's memory may be small.
+      (this->Owner->sharesMemory() ? preferred : avoided) = hostWrites;
       break;
-    case Residence::Upload:
-      // Not on the device: what of that the host can write may be small.
+    case Residence::Staging:
       required = hostWrites;
       avoided = Flag::eDeviceLocal;
+      break;
+    case Residence::Shared:
+      required = hostWrites;
+      preferred = Flag::eDeviceLocal | Flag::eHostCached;
       break;
     case Residence::Readback:
       required = hostWrites;
@@ -110,7 +113,7 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
     this->Address = this->Owner->handle().getBufferAddress({ *this->Handle });
     const vk::MemoryPropertyFlags flags = this->Owner->memoryFlags(type);
     if ((flags & hostWrites) == hostWrites &&
-      (residence != Residence::Device || this->Owner->isCpu()))
+      (residence != Residence::Device || this->Owner->sharesMemory()))
     {
       this->Mapped = this->Map();
       if (!this->Mapped)
@@ -131,8 +134,7 @@ Buffer::Buffer(std::shared_ptr<Device> device, vk::DeviceSize bytes, Residence r
 
 void* Buffer::Map() const
 {
-  void* mapped = this->Memory.mapMemory(0, VK_WHOLE_SIZE);
-  mapped = faults().mappedAt.value_or(mapped);
+  void* const mapped = this->Memory.mapMemory(0, VK_WHOLE_SIZE);
   // Where a mapping fails, Mesa's CPU driver answers with success and what mmap() returns.
   return mapped == reinterpret_cast<void*>(~std::uintptr_t(0)) ? nullptr : mapped;
 }
@@ -148,17 +150,34 @@ void Buffer::upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offse
     std::memcpy(static_cast<char*>(this->Mapped) + offset, data, bytes);
     return;
   }
-  constexpr vk::DeviceSize chunk = vk::DeviceSize(64) << 20;
-  Buffer staging(this->Owner, std::min(bytes, chunk), Residence::Upload, "staging");
-  for (vk::DeviceSize done = 0; done < bytes; done += chunk)
+  constexpr vk::DeviceSize chunk = vk::DeviceSize(16) << 20;
+  struct Stage
   {
+    Buffer memory;
+    Submission copying; // which ends before the memory does
+  };
+  std::array<Stage, 2> stages;
+  std::size_t turn = 0;
+  for (vk::DeviceSize done = 0; done < bytes; done += chunk, turn = 1 - turn)
+  {
+    Stage& stage = stages[turn];
     const vk::DeviceSize part = std::min(chunk, bytes - done);
-    std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, part);
-    this->Owner->submit(
-      [&](const vk::raii::CommandBuffer& commands) {
+    if (stage.memory.bytes() == 0)
+    {
+      stage.memory = Buffer(this->Owner, part, Residence::Staging, "staging");
+    }
+    stage.copying.wait();
+    std::memcpy(stage.memory.mapped(), static_cast<const char*>(data) + done, part);
+    stage.copying = this->Owner->start(
+      [&](const vk::raii::CommandBuffer& commands)
+      {
         commands.copyBuffer(
-          *staging.handle(), *this->Handle, vk::BufferCopy(0, offset + done, part));
+          *stage.memory.handle(), *this->Handle, vk::BufferCopy(0, offset + done, part));
       });
+  }
+  for (Stage& stage : stages)
+  {
+    stage.copying.wait();
   }
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Buffers that shaders reach by their device address, and how data get into and out of them.
+// Buffers that shaders reach by their device address, and how data get into them.
 #ifndef ExaBricksVulkanBuffer_h
 #define ExaBricksVulkanBuffer_h
 
@@ -11,9 +11,10 @@ namespace vulkan
 {
 enum class Residence
 {
-  Device,  // on the device; filled by upload()
-  Upload,  // written by the host for each picture, read by the device
-  Readback // written by the device, read by the host
+  Device,   // on the device; filled by upload()
+  Staging,  // of the host, written by it, to be copied to the device
+  Readback, // of the host, read by it after a copy from the device
+  Shared    // written and read by both in place, where they share all memory
 };
 
 /// What a buffer is for, in the message that says that there is no memory for it.
@@ -45,7 +46,8 @@ public:
   /// Host address, or null where the host cannot see the memory.
   void* mapped() const { return this->Mapped; }
 
-  /// Copies to the device, through a staging buffer where the host cannot see the memory.
+  /// Copies to the device, and waits until it is there. Where the host cannot see the memory, a
+  /// part is written to one staging buffer while the part before is copied out of another.
   void upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offset = 0);
 
 private:

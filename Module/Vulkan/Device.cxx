@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/Device.h"
 
-#include "Vulkan/Faults.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace exabricks
 {
@@ -15,6 +15,7 @@ namespace vulkan
 namespace
 {
 constexpr std::uint32_t ApiVersion = VK_API_VERSION_1_2;
+constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
 
 // The context loads libvulkan, and has to outlive the instance.
 struct LoadedInstance
@@ -47,17 +48,37 @@ bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name)
     [&](const vk::ExtensionProperties& e) { return std::string(e.extensionName.data()) == name; });
 }
 
-bool hasComputeQueue(const vk::raii::PhysicalDevice& device, std::uint32_t& family)
+// A family that computes; where there is one that does not draw, that, which runs beside what draws
+// the display.
+std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device)
 {
   const auto families = device.getQueueFamilyProperties();
-  for (family = 0; family < families.size(); ++family)
+  std::optional<std::uint32_t> found;
+  for (std::uint32_t family = 0; family < families.size(); ++family)
   {
-    if (families[family].queueFlags & vk::QueueFlagBits::eCompute)
+    const vk::QueueFlags flags = families[family].queueFlags;
+    if (families[family].queueCount == 0 || !(flags & vk::QueueFlagBits::eCompute))
     {
-      return true;
+      continue;
     }
+    if (!(flags & vk::QueueFlagBits::eGraphics))
+    {
+      return family;
+    }
+    found = found ? found : family;
   }
-  return false;
+  return found;
+}
+
+// Whether there is no memory but the host's, in a type that both can use as it is.
+bool hasSharedMemory(vk::PhysicalDeviceType type, const vk::PhysicalDeviceMemoryProperties& memory)
+{
+  constexpr vk::MemoryPropertyFlags shared = vk::MemoryPropertyFlagBits::eDeviceLocal |
+    vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
+  const auto* const end = memory.memoryTypes.data() + memory.memoryTypeCount;
+  return (type == vk::PhysicalDeviceType::eCpu || type == vk::PhysicalDeviceType::eIntegratedGpu) &&
+    std::any_of(memory.memoryTypes.data(), end,
+      [&](const vk::MemoryType& t) { return (t.propertyFlags & shared) == shared; });
 }
 
 // Empty, or what the marching pass needs and the device lacks.
@@ -72,13 +93,12 @@ std::string lacks(const vk::raii::PhysicalDevice& device)
     device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
   const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-  std::uint32_t family = 0;
-  return !v12.bufferDeviceAddress      ? "bufferDeviceAddress"
-    : !v12.scalarBlockLayout           ? "scalarBlockLayout"
-    : !core.shaderInt64                ? "shaderInt64"
-    : !core.shaderFloat64              ? "shaderFloat64"
-    : !hasComputeQueue(device, family) ? "a queue for compute"
-                                       : "";
+  return !v12.bufferDeviceAddress ? "bufferDeviceAddress"
+    : !v12.scalarBlockLayout      ? "scalarBlockLayout"
+    : !core.shaderInt64           ? "shaderInt64"
+    : !core.shaderFloat64         ? "shaderFloat64"
+    : !findComputeQueue(device)   ? "a queue for compute"
+                                  : "";
 }
 
 bool canQueryRays(const vk::raii::PhysicalDevice& device)
@@ -176,12 +196,6 @@ std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const s
 }
 }
 
-Faults& faults()
-{
-  static Faults faults;
-  return faults;
-}
-
 std::shared_ptr<Device> Device::acquire(const std::string& wanted)
 {
   static std::mutex mutex;
@@ -238,11 +252,13 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
   this->RayQuery = canQueryRays(this->Physical);
   this->MemoryBudget = hasExtension(this->Physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   this->Memory = this->Physical.getMemoryProperties();
+  this->SharesMemory = hasSharedMemory(properties.deviceType, this->Memory);
   this->MaximumAllocation =
     this->Physical
       .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
       .get<vk::PhysicalDeviceMaintenance3Properties>()
       .maxMemoryAllocationSize;
+  this->MaximumValueBuffer = std::min(this->MaximumAllocation, LargestValueBuffer);
 
   std::vector<const char*> extensions;
   if (this->MemoryBudget)
@@ -275,8 +291,7 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
     chain.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
     chain.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
   }
-  std::uint32_t family = 0;
-  hasComputeQueue(this->Physical, family);
+  const std::uint32_t family = findComputeQueue(this->Physical).value();
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
   chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(
@@ -295,7 +310,11 @@ std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFl
   for (std::uint32_t type = 0; type < this->Memory.memoryTypeCount; ++type)
   {
     const vk::MemoryPropertyFlags flags = this->memoryFlags(type);
-    if (!(allowed & (1u << type)) || (flags & required) != required)
+    // Of the others, each takes a feature to be enabled or is not for buffers.
+    constexpr vk::MemoryPropertyFlags usable = vk::MemoryPropertyFlagBits::eDeviceLocal |
+      vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent |
+      vk::MemoryPropertyFlagBits::eHostCached;
+    if (!(allowed & (1u << type)) || (flags & ~usable) || (flags & required) != required)
     {
       continue;
     }
@@ -340,22 +359,54 @@ vk::DeviceSize Device::availableMemory(std::uint32_t type) const
     const vk::DeviceSize used = budget.heapUsage[heap];
     available = all > used ? all - used : 0;
   }
-  return std::min<vk::DeviceSize>(available, faults().availableMemory);
+  return available;
 }
 
-void Device::submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const
+Submission& Submission::operator=(Submission&& other)
 {
+  this->End();
+  this->Owner = other.Owner;
+  this->Commands = std::move(other.Commands);
+  this->Fence = std::move(other.Fence);
+  this->Pending = std::exchange(other.Pending, false);
+  return *this;
+}
+
+Submission::~Submission() { this->End(); }
+
+void Submission::wait()
+{
+  while (this->Pending &&
+    this->Owner->Logical.waitForFences(*this->Fence, true, 1000000000ull) == vk::Result::eTimeout)
+  {
+  }
+  this->Pending = false;
+}
+
+void Submission::End() noexcept
+{
+  try
+  {
+    this->wait();
+  }
+  catch (const std::exception&)
+  {
+    this->Pending = false; // A lost device does nothing any more.
+  }
+  if (this->Commands)
+  {
+    const std::lock_guard<std::mutex> lock(this->Owner->Mutex);
+    this->Commands.reset();
+  }
+}
+
+void Device::submit(const Record& record) const { this->start(record).wait(); }
+
+Submission Device::start(const Record& record) const
+{
+  Submission submission;
+  submission.Owner = this;
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  if (faults().lostSubmits > 0)
-  {
-    --faults().lostSubmits;
-    throw vk::DeviceLostError("simulated");
-  }
-  if (faults().submitsWithoutMemory > 0)
-  {
-    --faults().submitsWithoutMemory;
-    throw vk::OutOfDeviceMemoryError("simulated");
-  }
   vk::raii::CommandBuffers buffers(
     this->Logical, { *this->Pool, vk::CommandBufferLevel::ePrimary, 1 });
   const vk::raii::CommandBuffer& commands = buffers.front();
@@ -367,12 +418,12 @@ void Device::submit(const std::function<void(const vk::raii::CommandBuffer&)>& r
     vk::PipelineStageFlagBits::eAllCommands, {}, everything, {}, {});
   record(commands);
   commands.end();
-  const vk::raii::Fence fence(this->Logical, vk::FenceCreateInfo());
+  submission.Fence = vk::raii::Fence(this->Logical, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *commands;
-  this->Queue.submit(vk::SubmitInfo(nullptr, nullptr, handle), *fence);
-  while (this->Logical.waitForFences(*fence, true, 1000000000ull) == vk::Result::eTimeout)
-  {
-  }
+  this->Queue.submit(vk::SubmitInfo(nullptr, nullptr, handle), *submission.Fence);
+  submission.Pending = true;
+  submission.Commands = std::make_unique<vk::raii::CommandBuffers>(std::move(buffers));
+  return submission;
 }
 }
 }

@@ -31,6 +31,32 @@ public:
   using Failure::Failure;
 };
 
+class Device;
+
+/// Work that the device has been given, see Device::start().
+class Submission
+{
+public:
+  Submission() = default;
+  Submission(Submission&& other) { *this = std::move(other); }
+  Submission& operator=(Submission&& other);
+  /// Waits, but throws nothing.
+  ~Submission();
+
+  /// Until the device has done it. May be called again.
+  void wait();
+
+private:
+  friend class Device;
+  /// Gives the commands back to their pool.
+  void End() noexcept;
+
+  const Device* Owner = nullptr;
+  std::unique_ptr<vk::raii::CommandBuffers> Commands;
+  vk::raii::Fence Fence = nullptr;
+  bool Pending = false;
+};
+
 class Device
 {
 public:
@@ -42,37 +68,52 @@ public:
   Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalDevice physical);
 
   const vk::raii::Device& handle() const { return this->Logical; }
+  const vk::raii::PhysicalDevice& physical() const { return this->Physical; }
   const std::string& name() const { return this->Name; }
   bool isCpu() const { return this->Cpu; }
+  /// Whether all memory is the host's too: what both use is never copied between them.
+  bool sharesMemory() const { return this->SharesMemory; }
   bool hasRayQuery() const { return this->RayQuery; }
   vk::DeviceSize maximumAllocation() const { return this->MaximumAllocation; }
+  /// Of a buffer of cells' values. Lowered by tests only, so that small data take several.
+  vk::DeviceSize maximumValueBuffer() const { return this->MaximumValueBuffer; }
+  void limitValueBuffers(vk::DeviceSize bytes) { this->MaximumValueBuffer = bytes; }
   std::uint64_t maximumBoxes() const { return this->MaximumBoxes; }
   vk::DeviceSize scratchAlignment() const { return this->ScratchAlignment; }
 
-  /// Memory type with `required` flags among `allowed`, with the most of `preferred` and the least
-  /// of `avoided`; throws Failure if there is none.
+  /// The first memory type with `required` flags among `allowed`, with the most of `preferred` and
+  /// the least of `avoided`, as drivers list the better ones first; throws Failure if there is
+  /// none.
   std::uint32_t findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,
     vk::MemoryPropertyFlags preferred, vk::MemoryPropertyFlags avoided) const;
   vk::MemoryPropertyFlags memoryFlags(std::uint32_t type) const;
   /// Bytes that can still be allocated of a memory type, as far as the driver tells.
   vk::DeviceSize availableMemory(std::uint32_t type) const;
 
-  /// Records commands, submits them and waits for them.
-  void submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
+  using Record = std::function<void(const vk::raii::CommandBuffer&)>;
+  /// Records commands and submits them. They run after all that was submitted before, and see what
+  /// that wrote.
+  Submission start(const Record& record) const;
+  /// The same, and waits for them.
+  void submit(const Record& record) const;
 
   /// After a device was lost: it is not handed out again.
   void markLost() { this->Lost = true; }
   bool lost() const { return this->Lost; }
 
 private:
+  friend class Submission;
+
   std::shared_ptr<vk::raii::Instance> Instance;
   vk::raii::PhysicalDevice Physical;
   std::string Name;
   bool Cpu = false;
+  bool SharesMemory = false;
   bool RayQuery = false;
   bool MemoryBudget = false;
   bool Lost = false;
   vk::DeviceSize MaximumAllocation = 0;
+  vk::DeviceSize MaximumValueBuffer = 0;
   std::uint64_t MaximumBoxes = 0;
   vk::DeviceSize ScratchAlignment = 1;
   vk::PhysicalDeviceMemoryProperties Memory;

@@ -1,60 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/DeviceVolume.h"
 
-#include "Vulkan/Faults.h"
-
 namespace exabricks
 {
 namespace vulkan
 {
-namespace
-{
-// Values fill several buffers, none longer than a device allows, each of whole bricks.
-constexpr vk::DeviceSize LargestValueBuffer = vk::DeviceSize(1) << 30;
-}
-
 DeviceVolume::DeviceVolume(std::shared_ptr<Device> device, const Volume& volume)
   : Owner(std::move(device))
   , Size(volume.structure->tree.size)
 {
-  this->UploadValues(volume);
   this->UploadLists(volume.structure->tree);
+  this->MakeValueBuffers(volume);
+  this->setValues(volume);
 }
 
-void DeviceVolume::UploadValues(const Volume& volume)
+void DeviceVolume::MakeValueBuffers(const Volume& volume)
 {
-  const Structure& structure = *volume.structure;
-  const std::vector<Brick>& bricks = structure.bricks;
   const std::vector<std::uint64_t>& firstValue = volume.values->firstValue;
-  const vk::DeviceSize largest =
-    std::min<vk::DeviceSize>(LargestValueBuffer, faults().largestValueBuffer);
-  std::vector<layout::Brick> records;
-  records.reserve(bricks.size());
-  for (std::size_t first = 0; first < bricks.size();)
+  const std::size_t bricks = firstValue.size() - 1;
+  const vk::DeviceSize largest = this->Owner->maximumValueBuffer();
+  this->Values.clear();
+  this->Layer = volume.values->layer;
+  for (std::size_t first = 0; first < bricks;)
   {
-    const std::uint64_t begin = firstValue[first];
     std::size_t last = first + 1;
-    while (last < bricks.size() && (firstValue[last + 1] - begin) * sizeof(float) <= largest)
+    while (last < bricks && (firstValue[last + 1] - firstValue[first]) * sizeof(float) <= largest)
     {
       ++last;
     }
-    const vk::DeviceSize bytes = (firstValue[last] - begin) * sizeof(float);
-    this->Values.emplace_back(this->Owner, bytes, Residence::Device, "the cells' values");
-    this->Values.back().upload(volume.values->normalized.data() + begin, bytes);
-    for (; first < last; ++first)
+    this->Values.push_back({ first, last,
+      Buffer(this->Owner, (firstValue[last] - firstValue[first]) * sizeof(float), Residence::Device,
+        "the cells' values") });
+    first = last;
+  }
+  this->Bricks = {};
+}
+
+void DeviceVolume::setValues(const Volume& volume)
+{
+  const exabricks::Values& values = *volume.values;
+  if (values.layer != this->Layer)
+  {
+    this->MakeValueBuffers(volume);
+  }
+  for (ValueBuffer& buffer : this->Values)
+  {
+    buffer.values.upload(values.ofBrick(buffer.firstBrick), buffer.values.bytes());
+  }
+  if (this->Bricks.bytes() == 0 || values.brickHasAbsentCells != this->BrickHasAbsentCells)
+  {
+    this->UploadBricks(volume);
+  }
+}
+
+void DeviceVolume::UploadBricks(const Volume& volume)
+{
+  const Structure& structure = *volume.structure;
+  const std::vector<std::uint64_t>& firstValue = volume.values->firstValue;
+  std::vector<layout::Brick> records;
+  records.reserve(structure.bricks.size());
+  for (const ValueBuffer& buffer : this->Values)
+  {
+    for (std::size_t i = buffer.firstBrick; i < buffer.lastBrick; ++i)
     {
-      const Brick& brick = bricks[first];
+      const Brick& brick = structure.bricks[i];
       const glm::uvec3 n(brick.cells);
       layout::Brick record{};
       record.lo = glm::ivec3((brick.lo - structure.tree.bounds.lo) * std::int64_t(2));
       record.width = static_cast<int>(structure.width(brick));
       record.dimensions = n.x | n.y << 8 | n.z << 16 |
-        (volume.values->brickHasAbsentCells[first] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
-      record.values = this->Values.back().address() + (firstValue[first] - begin) * sizeof(float);
+        (volume.values->brickHasAbsentCells[i] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
+      record.values =
+        buffer.values.address() + (firstValue[i] - firstValue[buffer.firstBrick]) * sizeof(float);
       records.push_back(record);
     }
   }
   this->Bricks = makeBuffer(this->Owner, records, "the bricks");
+  this->BrickHasAbsentCells = volume.values->brickHasAbsentCells;
 }
 
 void DeviceVolume::UploadLists(const RegionTree& tree)
@@ -91,9 +113,9 @@ vk::DeviceSize DeviceVolume::bytes() const
 {
   vk::DeviceSize bytes = this->Bricks.bytes() + this->BrickLists.bytes() + this->Nodes.bytes() +
     this->Boxes.bytes() + this->Scene.bytes();
-  for (const Buffer& values : this->Values)
+  for (const ValueBuffer& buffer : this->Values)
   {
-    bytes += values.bytes();
+    bytes += buffer.values.bytes();
   }
   return bytes;
 }

@@ -13,8 +13,12 @@ namespace vulkan
 class DeviceVolume
 {
 public:
-  /// Uploads bricks, their lists and values. Throws Failure.
+  /// Uploads brick lists, values and bricks. Throws Failure.
   DeviceVolume(std::shared_ptr<Device> device, const Volume& volume);
+
+  /// Uploads the values of the same structure: in place, where they have the same layer, and the
+  /// bricks with them only where other bricks have absent cells. Throws Failure.
+  void setValues(const Volume& volume);
 
   /// Uploads what a traversal walks: the boxes, or without any the k-d tree. Throws Failure.
   void setActive(ActiveRegions active);
@@ -26,12 +30,23 @@ public:
   void fill(layout::Frame& frame) const;
 
 private:
-  void UploadValues(const Volume& volume);
+  // Values fill several buffers, none longer than a device allows, each of whole bricks.
+  struct ValueBuffer
+  {
+    std::size_t firstBrick;
+    std::size_t lastBrick; // behind them
+    Buffer values;
+  };
+
+  void MakeValueBuffers(const Volume& volume);
+  void UploadBricks(const Volume& volume);
   void UploadLists(const RegionTree& tree);
 
   std::shared_ptr<Device> Owner;
   glm::ivec3 Size; // half cells
-  std::vector<Buffer> Values;
+  int Layer = 0;   // of the values
+  std::vector<unsigned char> BrickHasAbsentCells;
+  std::vector<ValueBuffer> Values;
   Buffer Bricks;
   Buffer BrickLists;
   Buffer Nodes;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compute pass that marches all rays of a picture (Shaders/March.comp).
+// The compute pass that marches the rays of some rows of a picture (Shaders/March.comp), as
+// commands.
 #ifndef ExaBricksVulkanMarchPass_h
 #define ExaBricksVulkanMarchPass_h
 
+#include "Core/View.h"
 #include "Layout.h"
 #include "Vulkan/Buffer.h"
 #include "Vulkan/MarchPipelines.h"
@@ -11,24 +13,59 @@ namespace exabricks
 {
 namespace vulkan
 {
-class MarchPass
+/// Rows of a picture are marched in whole tiles.
+constexpr std::uint32_t TileSize = 8; // local_size of March.comp
+
+/// How a picture is marched.
+struct MarchPass
+{
+  vk::Pipeline pipeline;
+  vk::PipelineLayout layout;
+
+  /// `band`: with the device addresses of a layout::Frame and, for variants that take tiles by a
+  /// counter, of a counter that is 0 and that no other pass has used since. `width` and `rows` of
+  /// pixels.
+  void record(const vk::raii::CommandBuffer& commands, const layout::Band& band,
+    std::uint32_t width, std::uint32_t rows) const
+  {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, this->pipeline);
+    commands.pushConstants<layout::Band>(this->layout, vk::ShaderStageFlagBits::eCompute, 0, band);
+    commands.dispatch((width + TileSize - 1) / TileSize, (rows + TileSize - 1) / TileSize, 1);
+  }
+};
+
+/// Counters of tiles for the passes of one submission.
+class TileCounters
 {
 public:
-  MarchPass(std::shared_ptr<Device> device, std::shared_ptr<MarchPipelines> pipelines);
+  TileCounters() = default;
+  TileCounters(const std::shared_ptr<Device>& device, std::uint32_t count)
+    : Counters(device, count * sizeof(std::uint32_t), Residence::Device, "counters of tiles")
+  {
+  }
 
-  /// Marches one picture. `frame` comes with all that concerns the volume; size, depth and picture
-  /// are filled in here.
-  void run(const MarchVariant& variant, layout::Frame frame, const View& view,
-    std::vector<glm::vec4>& picture);
+  vk::DeviceAddress address(std::uint32_t counter) const
+  {
+    return this->Counters.address() + counter * sizeof(std::uint32_t);
+  }
+  /// Sets all to 0, for the passes recorded after this.
+  void record(const vk::raii::CommandBuffer& commands) const
+  {
+    using Access = vk::AccessFlagBits;
+    using Stage = vk::PipelineStageFlagBits;
+    commands.fillBuffer(*this->Counters.handle(), 0, VK_WHOLE_SIZE, 0);
+    const vk::MemoryBarrier barrier(
+      Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite);
+    commands.pipelineBarrier(Stage::eTransfer, Stage::eComputeShader, {}, barrier, {}, {});
+  }
 
 private:
-  std::shared_ptr<Device> Owner;
-  std::shared_ptr<MarchPipelines> Pipelines;
-  Buffer Constants;
-  Buffer Depth;
-  Buffer NearDepth;
-  Buffer Picture;
+  Buffer Counters;
 };
+
+/// Puts all that concerns the view into a frame, but the addresses of depths and picture.
+/// `fromHalfCells`: of the view's half cells to the volume's.
+void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalfCells);
 }
 }
 

@@ -19,6 +19,7 @@ struct Constants
 {
   std::uint32_t reconstruction;
   vk::Bool32 beginsAtDepth;
+  vk::Bool32 takesTiles;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -34,11 +35,11 @@ std::uint32_t numberOf(Reconstruction reconstruction)
   }
 }
 
-vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const MarchProgram* program)
+vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const std::vector<std::uint32_t>& own)
 {
-  if (program && !program->spirv.empty())
+  if (!own.empty())
   {
-    return { {}, program->spirv };
+    return { {}, own };
   }
   return traversal == Traversal::RayQuery
     ? vk::ShaderModuleCreateInfo({}, sizeof(MarchRayQuerySpirv), MarchRayQuerySpirv)
@@ -46,10 +47,9 @@ vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const MarchProgram* pr
 }
 }
 
-MarchPipelines::MarchPipelines(
-  std::shared_ptr<Device> device, std::shared_ptr<const MarchProgram> program)
+MarchPipelines::MarchPipelines(std::shared_ptr<Device> device, std::vector<std::uint32_t> shader)
   : Owner(std::move(device))
-  , Program(std::move(program))
+  , Shader(std::move(shader))
 {
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Band));
   this->Layout =
@@ -62,6 +62,7 @@ vk::Pipeline MarchPipelines::find(const MarchVariant& variant)
   if (found == this->Pipelines.end())
   {
     found = this->Pipelines.emplace(variant, this->Make(variant)).first;
+    ++this->Builds;
   }
   return *found->second;
 }
@@ -69,13 +70,14 @@ vk::Pipeline MarchPipelines::find(const MarchVariant& variant)
 vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
 {
   const vk::raii::ShaderModule shader(
-    this->Owner->handle(), shaderFor(variant.traversal, this->Program.get()));
-  const Constants values{ numberOf(variant.reconstruction), variant.beginsAtDepth };
-  const std::array<vk::SpecializationMapEntry, 2> entries{
-    vk::SpecializationMapEntry(
-      0, offsetof(Constants, reconstruction), sizeof(values.reconstruction)),
-    vk::SpecializationMapEntry(1, offsetof(Constants, beginsAtDepth), sizeof(values.beginsAtDepth))
-  };
+    this->Owner->handle(), shaderFor(variant.traversal, this->Shader));
+  const Constants values{ numberOf(variant.reconstruction), variant.beginsAtDepth,
+    variant.takesTiles };
+  const std::array<vk::SpecializationMapEntry, 3> entries{ vk::SpecializationMapEntry(0,
+                                                             offsetof(Constants, reconstruction),
+                                                             sizeof(values.reconstruction)),
+    vk::SpecializationMapEntry(1, offsetof(Constants, beginsAtDepth), sizeof(values.beginsAtDepth)),
+    vk::SpecializationMapEntry(2, offsetof(Constants, takesTiles), sizeof(values.takesTiles)) };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);

@@ -7,6 +7,7 @@
 #include "Vulkan/MarchVariant.h"
 
 #include <map>
+#include <utility>
 
 namespace exabricks
 {
@@ -15,12 +16,14 @@ namespace vulkan
 class MarchPipelines
 {
 public:
-  /// `program`: its shader takes the place of ours in all variants; may be null, or have none.
-  explicit MarchPipelines(
-    std::shared_ptr<Device> device, std::shared_ptr<const MarchProgram> program = nullptr);
+  /// `shader`: SPIR-V with the interface of Shaders/March.comp that takes its place in all
+  /// variants; empty: none.
+  explicit MarchPipelines(std::shared_ptr<Device> device, std::vector<std::uint32_t> shader = {});
 
   /// Made when first asked for, and kept: drivers compile for a long time. Throws vk::Error.
   vk::Pipeline find(const MarchVariant& variant);
+  /// How many were made since it was last asked.
+  std::size_t takeBuilds() { return std::exchange(this->Builds, 0); }
   /// Of all of them: one layout::Band as push constants, and nothing else.
   vk::PipelineLayout layout() const { return *this->Layout; }
 
@@ -28,7 +31,8 @@ private:
   vk::raii::Pipeline Make(const MarchVariant& variant) const;
 
   std::shared_ptr<Device> Owner;
-  std::shared_ptr<const MarchProgram> Program;
+  const std::vector<std::uint32_t> Shader;
+  std::size_t Builds = 0;
   vk::raii::PipelineLayout Layout = nullptr;
   std::map<MarchVariant, vk::raii::Pipeline> Pipelines;
 };

@@ -4,7 +4,8 @@
 #ifndef ExaBricksVulkanMarchVariant_h
 #define ExaBricksVulkanMarchVariant_h
 
-#include "Vulkan/VolumeRenderer.h"
+#include "Core/View.h"
+#include "Vulkan/Traversal.h"
 
 #include <tuple>
 
@@ -24,12 +25,14 @@ struct MarchVariant
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
   bool beginsAtDepth = false; // for views with a nearDepth
+  /// Tiles of pixels are taken by a counter (Shaders/Variant.glsl).
+  bool takesTiles = false;
 };
 
 inline auto asTuple(const MarchVariant& variant)
 {
-  return std::make_tuple(
-    variant.traversal, variant.reconstruction, variant.blending, variant.beginsAtDepth);
+  return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
+    variant.beginsAtDepth, variant.takesTiles);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

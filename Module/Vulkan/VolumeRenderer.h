@@ -9,30 +9,15 @@
 
 #include "Core/ActiveRegions.h"
 #include "Core/View.h"
+#include "Core/Volume.h"
+#include "Vulkan/Traversal.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
 namespace exabricks
 {
-enum class Traversal
-{
-  Automatic, // ray query on a GPU that has it, else the k-d tree
-  RayQuery,
-  KdTree
-};
-
-/// Another method of marching over the same buffers, for comparisons (Testing/Benchmarks).
-struct MarchProgram
-{
-  /// Shader with the interface of Shaders/March.comp, for the k-d tree traversal; none: our own.
-  std::vector<std::uint32_t> spirv;
-  /// False: regions that the transfer function does not show are marched too.
-  bool skipsSpace = true;
-  /// The method's own data about the volume, at the device address Frame.extra.
-  std::vector<std::uint32_t> extra;
-};
-
 class VolumeRenderer
 {
 public:
@@ -41,23 +26,28 @@ public:
   VolumeRenderer(const VolumeRenderer&) = delete;
   VolumeRenderer& operator=(const VolumeRenderer&) = delete;
 
-  /// `wanted`: index among the devices, or part of a device's name; empty: EXABRICKS_DEVICE, else
-  /// the best. A change frees everything on the device used before.
-  void selectDevice(const std::string& wanted);
+  /// `requested`: index among the devices, or part of a device's name; empty: EXABRICKS_DEVICE,
+  /// else the best. A change frees everything on the device used before.
+  void selectDevice(const std::string& requested);
   void selectTraversal(Traversal traversal);
-  /// A program marches by the k-d tree, whatever the traversal wanted; null: our own method.
-  void selectProgram(std::shared_ptr<const MarchProgram> program);
 
-  /// Shares the volume; without one nothing is drawn.
-  void setVolume(Volume volume);
+  /// Shares the volume; without one nothing is drawn. Another array or time step on the same
+  /// structure costs an upload of its values, and a new selection of the active regions.
+  void setVolume(const Volume& volume);
   /// Costs an upload of colours; and when it shows other values than before, or pictures are drawn
   /// with an error tolerance, a new selection of the active regions.
   void setTransferFunction(const TransferFunction& transfer);
 
   /// Brings everything on the device up to date.
   std::string prepare();
-  /// `picture`: [height][width] of premultiplied red, green, blue, opacity, row 0 at the bottom.
-  std::string render(const View& view, std::vector<glm::vec4>& picture);
+
+  /// Called between the pieces of a picture, about each 30 ms, with the part of it that is done, in
+  /// [0, 1]; false: give it up.
+  using Progress = std::function<bool(double done)>;
+  /// `picture`: [height][width] of premultiplied red, green, blue, opacity, row 0 at the bottom;
+  /// empty, if `progress` gave it up.
+  std::string render(
+    const View& view, std::vector<glm::vec4>& picture, const Progress& progress = {});
   /// Frees everything on the device.
   void release();
 
@@ -75,7 +65,11 @@ public:
     double colorTime = 0.0;   // transfer function tables
     double opacityTime = 0.0; // active regions, acceleration structure or pruned tree
     double marchTime = 0.0;
-    double pilotTime = 0.0; // choosing levels and steps for an error tolerance
+    double samplingTime = 0.0; // choosing levels and steps for an error tolerance
+    // how often, since the renderer was made
+    std::size_t structureUploads = 0; // of a volume, whole or without some levels
+    std::size_t valueUploads = 0;
+    std::size_t pipelineBuilds = 0;
   };
   const Statistics& statistics() const;
 

@@ -52,10 +52,14 @@ SetUp DirectMethod::setUp(double)
     [&]
     {
       const Volume volume = this->Subject.volume(field);
-      this->Renderer.setVolume(volume);
       if (this->Settings.makeProgram)
       {
-        this->Renderer.selectProgram(this->Settings.makeProgram(volume));
+        this->Other = std::make_unique<VariantRenderer>(this->Settings.makeProgram(volume));
+        this->Other->setVolume(volume);
+      }
+      else
+      {
+        this->Renderer.setVolume(volume);
       }
       this->setTransferFunction(this->Subject.transfer());
     });
@@ -67,14 +71,26 @@ SetUp DirectMethod::setUp(double)
 
 void DirectMethod::setTransferFunction(const TransferFunction& transfer)
 {
+  if (this->Other)
+  {
+    this->Other->setTransferFunction(transfer);
+    check(this->Other->prepare());
+    return;
+  }
   this->Renderer.setTransferFunction(transfer);
   check(this->Renderer.prepare());
 }
 
 void DirectMethod::draw(const View& view)
 {
-  check(this->Renderer.render(view, this->Pixels));
+  check(this->Other ? this->Other->render(view, this->Pixels)
+                    : this->Renderer.render(view, this->Pixels));
   this->Drawn = { view.target.width, view.target.height };
+}
+
+const VolumeRenderer::Statistics& DirectMethod::statistics() const
+{
+  return this->Other ? this->Other->statistics() : this->Renderer.statistics();
 }
 
 View DirectMethod::viewOf(const Size& size, double value) const
@@ -110,9 +126,7 @@ double DirectMethod::samples(const Size& size, double value)
   if (!this->Counter)
   {
     const Volume volume = this->Subject.volume(field);
-    this->Counter = std::make_unique<VolumeRenderer>();
-    this->Counter->selectDevice("");
-    this->Counter->selectProgram(countingVariant().makeProgram(volume));
+    this->Counter = std::make_unique<VariantRenderer>(countingVariant().makeProgram(volume));
     this->Counter->setVolume(volume);
     this->Counter->setTransferFunction(this->Subject.transfer());
   }

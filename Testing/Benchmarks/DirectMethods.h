@@ -4,6 +4,7 @@
 #define ExaBricksBenchmarksDirectMethods_h
 
 #include "Method.h"
+#include "VariantRenderer.h"
 
 namespace exabricks
 {
@@ -41,7 +42,7 @@ public:
   /// Uploads, and prepares the renderer.
   void setTransferFunction(const TransferFunction& transfer);
   void draw(const View& view);
-  const VolumeRenderer::Statistics& statistics() const { return this->Renderer.statistics(); }
+  const VolumeRenderer::Statistics& statistics() const;
 
 private:
   View viewOf(const Size& size, double value) const;
@@ -49,7 +50,8 @@ private:
   const Scene& Subject;
   const DirectSettings Settings;
   VolumeRenderer Renderer;
-  std::unique_ptr<VolumeRenderer> Counter;
+  std::unique_ptr<VariantRenderer> Other; // with another march; null: our own
+  std::unique_ptr<VariantRenderer> Counter;
   SetUp Ready; // the same for all values
   Size Drawn{};
   std::vector<glm::vec4> Pixels;

@@ -53,7 +53,7 @@ Program makeCellLocation(const Volume& volume)
 {
   MarchProgram program;
   program.spirv = toWords(CellLocationSpirv);
-  append(program.extra,
+  append(program.data,
     buildBrickTree(volume.structure->bricks, volume.structure->hierarchy.cellWidth,
       volume.structure->tree.bounds.lo, BrickExtent::Support));
   return std::make_shared<const MarchProgram>(std::move(program));
@@ -85,9 +85,9 @@ Program makeNaiveWalk(const Volume& volume)
   program.spirv = toWords(NaiveWalkSpirv);
   program.skipsSpace = false;
   const std::vector<layout::LevelLattice> lattices = makeLattices(volume);
-  program.extra.push_back(static_cast<std::uint32_t>(lattices.size()));
-  append(program.extra, lattices);
-  append(program.extra,
+  program.data.push_back(static_cast<std::uint32_t>(lattices.size()));
+  append(program.data, lattices);
+  append(program.data,
     buildBrickTree(volume.structure->bricks, volume.structure->hierarchy.cellWidth,
       volume.structure->tree.bounds.lo, BrickExtent::Cells));
   return std::make_shared<const MarchProgram>(std::move(program));

@@ -4,7 +4,7 @@
 #ifndef ExaBricksBenchmarksVariants_h
 #define ExaBricksBenchmarksVariants_h
 
-#include "Vulkan/VolumeRenderer.h"
+#include "VariantRenderer.h"
 
 #include <functional>
 
@@ -16,7 +16,7 @@ struct Variant
 {
   std::string name;
   std::string what; // in a few words, for tables
-  /// For VolumeRenderer::selectProgram, of the volume that is set there; null: our own method.
+  /// For a VariantRenderer of this volume; null: our own method, of VolumeRenderer.
   /// Made for Reconstruction::Basis.
   std::function<std::shared_ptr<const MarchProgram>(const Volume&)> makeProgram;
 };

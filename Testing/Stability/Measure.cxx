@@ -6,7 +6,7 @@
 #include "Adapters/AMRInput.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Adapters/ViewInput.h"
-#include "Vulkan/Faults.h"
+#include "Vulkan/Device.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
@@ -207,15 +207,17 @@ reference::Image Subject::draw(
   view.quality.stepScale = this->Given.stepScale;
   view.opacityUnitDistance = this->Given.unitDistance / this->Given.scale;
   view.quality.terminationOpacity = 1.0; // never
-  vulkan::faults().largestValueBuffer = this->Given.largestValueBuffer;
   VolumeRenderer& renderer = renderers.get(reconstruction, traversal);
+  const std::shared_ptr<vulkan::Device> device = vulkan::Device::acquire("");
+  const std::uint64_t largest = device->maximumValueBuffer();
+  device->limitValueBuffers(std::min(largest, this->Given.largestValueBuffer));
   const Volume& subject = this->Contents->Volume;
   renderer.setVolume(subject);
   renderer.setTransferFunction(makeTransferFunction(property, subject.values->range));
   std::vector<glm::vec4> pixels;
   const std::string fault = renderer.render(view, pixels);
   renderer.setVolume({}); // gives back what it takes
-  vulkan::faults().largestValueBuffer = std::numeric_limits<std::uint64_t>::max();
+  device->limitValueBuffers(largest);
   if (!fault.empty())
   {
     throw std::runtime_error(fault);

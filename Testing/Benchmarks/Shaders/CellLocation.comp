@@ -26,10 +26,11 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bri
 
 BrickTree brickTree;
 
+// The method's own data lie where other traversals than by the k-d tree have their boxes.
 void readConstants(FrameBuffer f)
 {
   readCommonConstants(f);
-  brickTree = BrickTree(f.frame.extra);
+  brickTree = BrickTree(f.frame.activeBoxes);
 }
 
 float sampleField(Brick brick, uint others, Ray ray, float distance)

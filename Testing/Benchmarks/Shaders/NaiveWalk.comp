@@ -32,12 +32,13 @@ uint levelCount;
 Lattices lattices;
 BrickTree brickTree; // without overlaps
 
+// The method's own data lie where other traversals than by the k-d tree have their boxes.
 void readConstants(FrameBuffer f)
 {
   readCommonConstants(f);
-  levelCount = Indices(f.frame.extra).items[0];
-  lattices = Lattices(f.frame.extra + 4ul);
-  brickTree = BrickTree(f.frame.extra + 4ul + 16ul * levelCount);
+  levelCount = Indices(f.frame.activeBoxes).items[0];
+  lattices = Lattices(f.frame.activeBoxes + 4ul);
+  brickTree = BrickTree(f.frame.activeBoxes + 4ul + 16ul * levelCount);
 }
 
 // The value of the cell of this width with this centre (half cells). False: it is no leaf cell.

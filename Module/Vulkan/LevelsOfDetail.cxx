@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/LevelsOfDetail.h"
+
+#include "Core/Stopwatch.h"
+
+namespace exabricks
+{
+namespace vulkan
+{
+void LevelsOfDetail::setVolume(const Volume& volume)
+{
+  if (!volume)
+  {
+    this->DropFrom(0);
+    return;
+  }
+  if (this->empty() || volume.structure != this->volume().structure)
+  {
+    this->DropFrom(0);
+    this->Levels.emplace_back();
+    this->Levels.front().volume = volume;
+    return;
+  }
+  if (volume.values == this->volume().values)
+  {
+    return;
+  }
+  for (Level& level : this->Levels)
+  {
+    level.volume.values.reset(); // of coarser ones, made when they are drawn
+    level.valuesOnDevice = false;
+    level.activeOnDevice = false;
+  }
+  this->Levels.front().volume.values = volume.values;
+}
+
+LevelsOfDetail::Level& LevelsOfDetail::updateFinest(
+  const std::shared_ptr<Device>& device, const Selection& selection)
+{
+  Level& finest = this->Levels.front();
+  this->Update(finest, device, selection);
+  return finest;
+}
+
+LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
+  int levelsLeftOut, const std::shared_ptr<Device>& device, const Selection& selection)
+{
+  if (levelsLeftOut <= 0)
+  {
+    return &this->Levels.front();
+  }
+  const auto index = static_cast<std::size_t>(levelsLeftOut);
+  try
+  {
+    while (index >= this->Levels.size())
+    {
+      if (!this->AddCoarser())
+      {
+        return nullptr;
+      }
+    }
+    for (std::size_t i = 1; i <= index; ++i)
+    {
+      if (!this->Levels[i].volume.values)
+      {
+        this->Levels[i].volume.values =
+          coarsen(this->Levels[i - 1].volume, *this->Levels[i].volume.structure);
+      }
+    }
+    this->Update(this->Levels[index], device, selection);
+    return &this->Levels[index];
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  catch (const Failure&)
+  {
+  }
+  catch (const vk::OutOfDeviceMemoryError&)
+  {
+  }
+  this->DropFrom(index);
+  this->CoarsestMade = true;
+  return nullptr;
+}
+
+bool LevelsOfDetail::AddCoarser()
+{
+  if (this->CoarsestMade)
+  {
+    return false;
+  }
+  const Level& finer = this->Levels.back();
+  const std::optional<CoarserStructure> coarser = coarsen(*finer.volume.structure);
+  if (!coarser)
+  {
+    this->CoarsestMade = true;
+    return false;
+  }
+  Level level;
+  level.volume.structure = coarser->structure;
+  level.fromHalfCells = coarser->fromHalfCells * finer.fromHalfCells;
+  this->Levels.push_back(std::move(level));
+  return true;
+}
+
+void LevelsOfDetail::Update(
+  Level& level, const std::shared_ptr<Device>& device, const Selection& selection)
+{
+  const bool finest = &level == &this->Levels.front();
+  if (!level.onDevice || !level.valuesOnDevice)
+  {
+    const Stopwatch watch;
+    if (level.onDevice)
+    {
+      level.onDevice->setValues(level.volume);
+    }
+    else
+    {
+      level.activeOnDevice = false;
+      level.onDevice = std::make_unique<DeviceVolume>(device, level.volume);
+      ++this->StructureUploads;
+    }
+    ++this->ValueUploads;
+    level.valuesOnDevice = true;
+    this->UploadTime = finest ? watch.seconds() : this->UploadTime;
+  }
+  if (!level.activeOnDevice)
+  {
+    const Stopwatch watch;
+    level.onDevice->setActive(
+      selectActiveRegions(level.volume, *selection.transfer, selection.weights, selection.boxes));
+    level.activeOnDevice = true;
+    this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
+  }
+}
+
+void LevelsOfDetail::invalidateSelection()
+{
+  for (Level& level : this->Levels)
+  {
+    level.activeOnDevice = false;
+  }
+}
+
+void LevelsOfDetail::DropFrom(std::size_t level)
+{
+  if (level < this->Levels.size())
+  {
+    this->Levels.erase(this->Levels.begin() + level, this->Levels.end());
+  }
+  this->CoarsestMade = false;
+}
+
+void LevelsOfDetail::dropCoarser() { this->DropFrom(1); }
+
+void LevelsOfDetail::dropDevice()
+{
+  for (Level& level : this->Levels)
+  {
+    level.onDevice.reset();
+    level.valuesOnDevice = false;
+    level.activeOnDevice = false;
+  }
+}
+
+vk::DeviceSize LevelsOfDetail::bytes() const
+{
+  vk::DeviceSize bytes = 0;
+  for (const Level& level : this->Levels)
+  {
+    bytes += level.onDevice ? level.onDevice->bytes() : 0;
+  }
+  return bytes;
+}
+}
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/SamplingChoice.h"
+
+#include "Core/Stopwatch.h"
+
+#include <cmath>
+
+namespace exabricks
+{
+namespace vulkan
+{
+namespace
+{
+// About as many pixels tell the error of a picture; at most so many are drawn where few of them
+// show anything.
+constexpr double FewestPixels = 3000.0;
+constexpr double MostPixels = 64.0 * FewestPixels;
+constexpr double StepScaleOfLittle = 0.25; // where no error can be told
+
+View wholeOf(View view)
+{
+  if (view.target.whole)
+  {
+    view.camera = view.target.whole->camera;
+    view.target.width = view.target.whole->width;
+    view.target.height = view.target.whole->height;
+    view.target.depth = nullptr;
+  }
+  view.target.nearDepth = nullptr;
+  return view;
+}
+
+// The depth of the pixels of `view` that the rays of `sparse` go through.
+std::vector<float> pickDepth(const Target& view, const Target& sparse)
+{
+  std::vector<float> depth;
+  depth.reserve(static_cast<std::size_t>(sparse.width) * sparse.height);
+  for (std::int64_t y = 0; y < sparse.height; ++y)
+  {
+    const std::int64_t row = (2 * y + 1) * view.height / (2 * sparse.height);
+    for (std::int64_t x = 0; x < sparse.width; ++x)
+    {
+      depth.push_back(view.depth[(2 * x + 1) * view.width / (2 * sparse.width) + view.width * row]);
+    }
+  }
+  return depth;
+}
+}
+
+SamplingChoice::SamplingChoice(std::shared_ptr<Device> device)
+  : Pictures(std::move(device))
+{
+}
+
+Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const MakeFrame& makeFrame)
+{
+  const View view = wholeOf(part);
+  if (this->Known.isOf(view))
+  {
+    this->Seconds = 0.0;
+    return this->Known.sampling;
+  }
+  const Stopwatch watch;
+  const double all = static_cast<double>(view.target.width) * view.target.height;
+  std::optional<Sampling> sampling;
+  for (double pixels = FewestPixels; !sampling; pixels *= 8.0)
+  {
+    sampling = this->FindFrom(view, pixels, pass, makeFrame);
+    if (!sampling && pixels >= std::min(all, MostPixels))
+    {
+      sampling = Sampling{ 0, StepScaleOfLittle };
+    }
+  }
+  this->Known = KnownSampling(view, *sampling);
+  this->Seconds = watch.seconds();
+  return *sampling;
+}
+
+std::optional<Sampling> SamplingChoice::FindFrom(
+  const View& view, double pixels, const MarchPass& pass, const MakeFrame& makeFrame)
+{
+  const double all = static_cast<double>(view.target.width) * view.target.height;
+  const double spacing = std::max(1.0, std::sqrt(all / pixels)); // of the pixels drawn
+  View sparse = view;
+  sparse.target.width = std::max(1, static_cast<int>(view.target.width / spacing));
+  sparse.target.height = std::max(1, static_cast<int>(view.target.height / spacing));
+  std::vector<float> depth;
+  if (view.target.depth)
+  {
+    depth = pickDepth(view.target, sparse.target);
+    sparse.target.depth = depth.data();
+  }
+  this->Pictures.begin(sparse.target, pass,
+    [&](const Sampling& sampling) -> std::optional<layout::Frame>
+    {
+      if (sampling.levelsLeftOut > view.quality.levelsLeftOut.value_or(sampling.levelsLeftOut))
+      {
+        return std::nullopt;
+      }
+      return makeFrame(sparse, sampling);
+    });
+  return findSampling(view.quality.errorTolerance, this->Pictures);
+}
+}
+}
