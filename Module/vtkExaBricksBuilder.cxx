@@ -3,8 +3,9 @@
 
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRInput.h"
-#include "Adapters/DataContents.h"
+#include "Adapters/BrickedVolume.h"
 #include "Core/Stopwatch.h"
+#include "vtkExaBricksData.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -66,7 +67,7 @@ struct vtkExaBricksBuilder::vtkInternals
     exabricks::AMRCellSource& source, int& components, std::string& fault);
 
   // Null if it cannot be built, which is said, or was aborted.
-  std::shared_ptr<const vtkExaBricksData::Contents> Build(
+  std::shared_ptr<const exabricks::BrickedVolume> Build(
     vtkExaBricksBuilder* self, vtkOverlappingAMR* amr);
 };
 
@@ -138,7 +139,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* s
   return name;
 }
 
-std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkInternals::Build(
+std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternals::Build(
   vtkExaBricksBuilder* self, vtkOverlappingAMR* amr)
 {
   const exabricks::AMRInput input = exabricks::readAMR(amr);
@@ -150,8 +151,8 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
   exabricks::AMRCellSource source(
     input, self->VectorMode == COMPONENT ? self->VectorComponent : -1);
   std::string fault;
-  auto contents = std::make_shared<vtkExaBricksData::Contents>();
-  contents->ArrayName = this->FindArrays(self, input, source, contents->Components, fault);
+  auto bricked = std::make_shared<exabricks::BrickedVolume>();
+  bricked->arrayName = this->FindArrays(self, input, source, bricked->components, fault);
   if (!fault.empty())
   {
     vtkErrorWithObjectMacro(self, << fault << ".");
@@ -189,21 +190,21 @@ std::shared_ptr<const vtkExaBricksData::Contents> vtkExaBricksBuilder::vtkIntern
         "drawn with their value.");
     }
     ++self->NumberOfStructureBuilds;
-    contents->StructureTime = watch.seconds();
+    bricked->structureTime = watch.seconds();
     this->Structure = std::move(structure);
   }
   const exabricks::Stopwatch watch;
-  contents->Volume.structure = this->Structure;
-  contents->Origin = input.hierarchy.origin;
-  contents->Spacing = input.hierarchy.spacing;
-  contents->AMRLevel = input.amrLevel;
-  contents->Volume.values = exabricks::makeValues(*this->Structure, source, progress(0.5, 1.0));
-  if (!contents->Volume.values)
+  bricked->volume.structure = this->Structure;
+  bricked->origin = input.hierarchy.origin;
+  bricked->spacing = input.hierarchy.spacing;
+  bricked->amrLevel = input.amrLevel;
+  bricked->volume.values = exabricks::makeValues(*this->Structure, source, progress(0.5, 1.0));
+  if (!bricked->volume.values)
   {
     return nullptr; // aborted
   }
-  contents->ScalarsTime = watch.seconds();
-  return contents;
+  bricked->valuesTime = watch.seconds();
+  return bricked;
 }
 
 vtkExaBricksBuilder::vtkExaBricksBuilder()
@@ -274,11 +275,11 @@ int vtkExaBricksBuilder::RequestData(
 
   try
   {
-    // Without contents the output stays empty, and the reason has been said: on 0 the executive
+    // Without a volume the output stays empty, and the reason has been said: on 0 the executive
     // would add an unclear error of its own.
-    if (auto contents = this->Internals->Build(this, amr))
+    if (auto bricked = this->Internals->Build(this, amr))
     {
-      output->SetContents(std::move(contents));
+      output->SetBrickedVolume(std::move(bricked));
     }
     this->Internals->SaidNoMemory = false;
   }

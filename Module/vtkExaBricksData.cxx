@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExaBricksData.h"
 
-#include "Adapters/DataContents.h"
+#include "Adapters/BrickedVolume.h"
 #include "Adapters/TransferFunctionInput.h"
 
 #include "vtkCellArray.h"
@@ -77,16 +77,16 @@ void setRange(vtkDoubleArray* array, vtkIdType i, const exabricks::ValueRange& r
 vtkExaBricksData::vtkExaBricksData() = default;
 vtkExaBricksData::~vtkExaBricksData() = default;
 
-void vtkExaBricksData::SetContents(std::shared_ptr<const Contents> contents)
+void vtkExaBricksData::SetBrickedVolume(std::shared_ptr<const exabricks::BrickedVolume> bricked)
 {
-  this->Shared = std::move(contents);
+  this->Bricked = std::move(bricked);
   this->Modified();
 }
 
 void vtkExaBricksData::Initialize()
 {
   this->Superclass::Initialize();
-  this->Shared.reset();
+  this->Bricked.reset();
 }
 
 void vtkExaBricksData::ShallowCopy(vtkDataObject* source)
@@ -94,7 +94,7 @@ void vtkExaBricksData::ShallowCopy(vtkDataObject* source)
   this->Superclass::ShallowCopy(source);
   if (const vtkExaBricksData* other = vtkExaBricksData::SafeDownCast(source))
   {
-    this->SetContents(other->Shared);
+    this->SetBrickedVolume(other->Bricked);
   }
 }
 
@@ -103,75 +103,76 @@ void vtkExaBricksData::DeepCopy(vtkDataObject* source)
   this->Superclass::DeepCopy(source);
   if (const vtkExaBricksData* other = vtkExaBricksData::SafeDownCast(source))
   {
-    this->SetContents(other->Shared);
+    this->SetBrickedVolume(other->Bricked);
   }
 }
 
 unsigned long vtkExaBricksData::GetActualMemorySize()
 {
   unsigned long size = this->Superclass::GetActualMemorySize();
-  if (this->Shared)
+  if (this->Bricked)
   {
-    const Contents& contents = *this->Shared;
+    const exabricks::BrickedVolume& bricked = *this->Bricked;
     size += static_cast<unsigned long>(
-      (contents.Volume.structure->bytes() + contents.Volume.values->bytes()) / 1024);
+      (bricked.volume.structure->bytes() + bricked.volume.values->bytes()) / 1024);
   }
   return size;
 }
 
 int vtkExaBricksData::GetNumberOfLevels()
 {
-  return this->Shared ? this->Shared->Volume.structure->hierarchy.levels() : 0;
+  return this->Bricked ? this->Bricked->volume.structure->hierarchy.levels() : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfBlocks()
 {
-  return this->Shared
-    ? static_cast<vtkIdType>(this->Shared->Volume.structure->hierarchy.blocks.size())
+  return this->Bricked
+    ? static_cast<vtkIdType>(this->Bricked->volume.structure->hierarchy.blocks.size())
     : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfLeafCells()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->leafCells) : 0;
+  return this->Bricked ? static_cast<vtkIdType>(this->Bricked->volume.structure->leafCells) : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfBricks()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->bricks.size()) : 0;
+  return this->Bricked ? static_cast<vtkIdType>(this->Bricked->volume.structure->bricks.size()) : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfRegions()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.structure->tree.regions.size())
-                      : 0;
+  return this->Bricked
+    ? static_cast<vtkIdType>(this->Bricked->volume.structure->tree.regions.size())
+    : 0;
 }
 
 vtkIdType vtkExaBricksData::GetNumberOfAbsentCells()
 {
-  return this->Shared ? static_cast<vtkIdType>(this->Shared->Volume.values->absentCells) : 0;
+  return this->Bricked ? static_cast<vtkIdType>(this->Bricked->volume.values->absentCells) : 0;
 }
 
 void vtkExaBricksData::GetScalarRange(double range[2])
 {
-  const bool empty = !this->Shared || this->Shared->Volume.values->range.empty();
-  range[0] = empty ? 1.0 : this->Shared->Volume.values->range.min;
-  range[1] = empty ? 0.0 : this->Shared->Volume.values->range.max;
+  const bool empty = !this->Bricked || this->Bricked->volume.values->range.empty();
+  range[0] = empty ? 1.0 : this->Bricked->volume.values->range.min;
+  range[1] = empty ? 0.0 : this->Bricked->volume.values->range.max;
 }
 
 const char* vtkExaBricksData::GetArrayName()
 {
-  return this->Shared ? this->Shared->ArrayName.c_str() : nullptr;
+  return this->Bricked ? this->Bricked->arrayName.c_str() : nullptr;
 }
 
 void vtkExaBricksData::GetBounds(double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
-  if (this->Shared)
+  if (this->Bricked)
   {
-    const glm::dvec3 lo = this->Shared->World(glm::dvec3(0.0));
+    const glm::dvec3 lo = this->Bricked->world(glm::dvec3(0.0));
     const glm::dvec3 hi =
-      this->Shared->World(glm::dvec3(this->Shared->Volume.structure->tree.size));
+      this->Bricked->world(glm::dvec3(this->Bricked->volume.structure->tree.size));
     for (int axis = 0; axis < 3; ++axis)
     {
       bounds[2 * axis] = lo[axis];
@@ -184,16 +185,19 @@ void vtkExaBricksData::GetFinestSpacing(double spacing[3])
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    spacing[axis] = this->Shared ? this->Shared->Spacing[axis] : 1.0;
+    spacing[axis] = this->Bricked ? this->Bricked->spacing[axis] : 1.0;
   }
 }
 
 double vtkExaBricksData::GetStructureTime()
 {
-  return this->Shared ? this->Shared->StructureTime : 0.0;
+  return this->Bricked ? this->Bricked->structureTime : 0.0;
 }
 
-double vtkExaBricksData::GetScalarsTime() { return this->Shared ? this->Shared->ScalarsTime : 0.0; }
+double vtkExaBricksData::GetScalarsTime()
+{
+  return this->Bricked ? this->Bricked->valuesTime : 0.0;
+}
 
 void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
 {
@@ -205,12 +209,12 @@ void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
   counts->SetNumberOfComponents(1);
   counts->SetNumberOfTuples(bins);
   counts->FillValue(0);
-  if (!this->Shared)
+  if (!this->Bricked)
   {
     return;
   }
   vtkIdType* count = counts->GetPointer(0);
-  for (const float value : this->Shared->Volume.values->normalized)
+  for (const float value : this->Bricked->volume.values->normalized)
   {
     if (value >= 0.0f)
     {
@@ -228,13 +232,13 @@ void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
     return;
   }
   VoxelWriter writer(output);
-  if (!this->Shared)
+  if (!this->Bricked)
   {
     return;
   }
-  const Contents& contents = *this->Shared;
-  const exabricks::Structure& structure = *contents.Volume.structure;
-  const exabricks::Values& values = *contents.Volume.values;
+  const exabricks::BrickedVolume& bricked = *this->Bricked;
+  const exabricks::Structure& structure = *bricked.volume.structure;
+  const exabricks::Values& values = *bricked.volume.values;
   const vtkIdType n = this->GetNumberOfBricks();
   auto level = VoxelWriter::MakeArray<vtkIntArray>("Level", 1, n);
   auto cells = VoxelWriter::MakeArray<vtkIntArray>("Cells", 3, n);
@@ -243,9 +247,9 @@ void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
   {
     const exabricks::Brick& brick = structure.bricks[i];
     const exabricks::Box box = structure.box(brick);
-    writer.Add(contents.Origin + contents.Spacing * glm::dvec3(box.lo),
-      contents.Origin + contents.Spacing * glm::dvec3(box.hi));
-    level->SetValue(i, contents.AMRLevel[brick.level]);
+    writer.Add(bricked.origin + bricked.spacing * glm::dvec3(box.lo),
+      bricked.origin + bricked.spacing * glm::dvec3(box.hi));
+    level->SetValue(i, bricked.amrLevel[brick.level]);
     cells->SetTuple3(i, brick.cells.x, brick.cells.y, brick.cells.z);
     exabricks::ValueRange found;
     const float* ofBrick = values.ofBrick(static_cast<std::size_t>(i));
@@ -272,13 +276,13 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
     return;
   }
   VoxelWriter writer(output);
-  if (!this->Shared)
+  if (!this->Bricked)
   {
     return;
   }
-  const Contents& contents = *this->Shared;
-  const exabricks::Structure& structure = *contents.Volume.structure;
-  const exabricks::Values& values = *contents.Volume.values;
+  const exabricks::BrickedVolume& bricked = *this->Bricked;
+  const exabricks::Structure& structure = *bricked.volume.structure;
+  const exabricks::Values& values = *bricked.volume.values;
   const exabricks::TransferFunction transfer =
     exabricks::makeTransferFunction(opacity, values.range);
   const vtkIdType n = this->GetNumberOfRegions();
@@ -289,12 +293,12 @@ void vtkExaBricksData::GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewi
   for (vtkIdType i = 0; i < n; ++i)
   {
     const exabricks::layout::Region& region = structure.tree.regions[i];
-    writer.Add(contents.World(glm::dvec3(region.lo)), contents.World(glm::dvec3(region.hi)));
+    writer.Add(bricked.world(glm::dvec3(region.lo)), bricked.world(glm::dvec3(region.hi)));
     int finest = -1;
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
       const std::uint32_t brick = structure.tree.brickLists[region.firstBrick + k];
-      finest = std::max(finest, contents.AMRLevel[structure.bricks[brick].level]);
+      finest = std::max(finest, bricked.amrLevel[structure.bricks[brick].level]);
     }
     level->SetValue(i, finest);
     count->SetValue(i, static_cast<int>(region.brickCount));
@@ -319,7 +323,7 @@ void vtkExaBricksData::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsentCells: " << this->GetNumberOfAbsentCells() << "\n";
   os << indent << "Bricks: " << this->GetNumberOfBricks() << "\n";
   os << indent << "Regions: " << this->GetNumberOfRegions() << "\n";
-  os << indent << "ArrayName: " << (this->Shared ? this->Shared->ArrayName : "(none)") << "\n";
+  os << indent << "ArrayName: " << (this->Bricked ? this->Bricked->arrayName : "(none)") << "\n";
   os << indent << "ScalarRange: " << range[0] << ", " << range[1] << "\n";
   os << indent << "StructureTime: " << this->GetStructureTime() << " s\n";
   os << indent << "ScalarsTime: " << this->GetScalarsTime() << " s\n";

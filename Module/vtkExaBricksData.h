@@ -27,6 +27,11 @@ class vtkIdTypeArray;
 class vtkPiecewiseFunction;
 class vtkUnstructuredGrid;
 
+namespace exabricks
+{
+struct BrickedVolume;
+}
+
 class VTKRENDERINGVOLUMEEXABRICKS_EXPORT vtkExaBricksData : public vtkDataObject
 {
 public:
@@ -94,9 +99,12 @@ public:
   void GetRegionsAsCells(vtkUnstructuredGrid* output, vtkPiecewiseFunction* opacity = nullptr);
 
 #ifndef __VTK_WRAP__
-  struct Contents;
-  const std::shared_ptr<const Contents>& GetContents() const { return this->Shared; }
-  void SetContents(std::shared_ptr<const Contents> contents);
+  /// What it holds (Adapters/BrickedVolume.h); null if that is nothing.
+  const std::shared_ptr<const exabricks::BrickedVolume>& GetBrickedVolume() const
+  {
+    return this->Bricked;
+  }
+  void SetBrickedVolume(std::shared_ptr<const exabricks::BrickedVolume> bricked);
 #endif
 
 protected:
@@ -107,7 +115,7 @@ private:
   vtkExaBricksData(const vtkExaBricksData&) = delete;
   void operator=(const vtkExaBricksData&) = delete;
 
-  std::shared_ptr<const Contents> Shared;
+  std::shared_ptr<const exabricks::BrickedVolume> Bricked;
 };
 
 #endif

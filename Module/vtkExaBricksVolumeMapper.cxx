@@ -2,8 +2,8 @@
 #include "vtkExaBricksVolumeMapper.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Adapters/BrickedVolume.h"
 #include "Adapters/Compositor.h"
-#include "Adapters/DataContents.h"
 #include "Adapters/DrawnRenderers.h"
 #include "Adapters/Requests.h"
 #include "Adapters/TransferFunctionInput.h"
@@ -11,6 +11,7 @@
 #include "Core/Completion.h"
 #include "Vulkan/VolumeRenderer.h"
 #include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -54,7 +55,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::DrawnRenderers Drawn;
 
   // What the renderer was last given.
-  std::shared_ptr<const vtkExaBricksData::Contents> Contents;
+  std::shared_ptr<const exabricks::BrickedVolume> Bricked;
   bool Completed = false;                // its values
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
@@ -88,14 +89,14 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   void DropVolume()
   {
     this->Renderer.setVolume({});
-    this->Contents.reset();
+    this->Bricked.reset();
   }
 
   // Null: there is nothing to draw.
-  std::shared_ptr<const vtkExaBricksData::Contents> GetContents()
+  std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume()
   {
     vtkExaBricksData* data = this->Builder->GetOutput();
-    return this->ConfigurationFault.empty() && data ? data->GetContents() : nullptr;
+    return this->ConfigurationFault.empty() && data ? data->GetBrickedVolume() : nullptr;
   }
 
   // Returns which values cannot be drawn with.
@@ -107,10 +108,10 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
   // Hands the renderer what has changed. Throws std::bad_alloc.
   void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property,
-    const std::shared_ptr<const vtkExaBricksData::Contents>& contents);
+    const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   // Renders the picture and puts it into the window, as Compositor::draw() does.
   std::optional<std::string> Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
-    const vtkExaBricksData::Contents& contents);
+    const exabricks::BrickedVolume& bricked);
 };
 
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
@@ -185,23 +186,23 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBrick
 }
 
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMapper* self,
-  vtkVolumeProperty* property, const std::shared_ptr<const vtkExaBricksData::Contents>& contents)
+  vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
 {
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
   this->Renderer.selectDevice(self->Device ? self->Device : "");
-  const bool newData = contents != this->Contents;
+  const bool newData = bricked != this->Bricked;
   const bool completed = self->Reconstruction == COMPLETED;
   if (newData || completed != this->Completed)
   {
     // The former one goes first, as completing the levels takes memory.
     this->Renderer.setVolume({});
-    exabricks::Volume volume = contents->Volume;
+    exabricks::Volume volume = bricked->volume;
     if (completed)
     {
       volume.values = exabricks::complete(*volume.structure, *volume.values);
     }
     this->Renderer.setVolume(std::move(volume));
-    this->Contents = contents;
+    this->Bricked = bricked;
     this->Completed = completed;
   }
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
@@ -209,7 +210,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMa
     // Nodes are normalised to the range of the data, so new data want new tables too.
     this->Property = property;
     this->Renderer.setTransferFunction(
-      exabricks::makeTransferFunction(property, contents->Volume.values->range));
+      exabricks::makeTransferFunction(property, bricked->volume.values->range));
     // Now, as discretised functions make tables when they are asked, and are modified by that.
     this->PropertyTime = property->GetMTime();
   }
@@ -424,11 +425,11 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckRequests(
 
 std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
   vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
-  const vtkExaBricksData::Contents& contents)
+  const exabricks::BrickedVolume& bricked)
 {
   const auto makeView = [&](int width, int height)
   {
-    exabricks::View view = exabricks::makeView(ren, vol, contents, width, height);
+    exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
     view.quality.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
     view.quality.stepScale = self->StepScale;
     view.quality.errorTolerance = self->ErrorTolerance;
@@ -458,7 +459,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   this->Update();
-  if (!internals.GetContents())
+  if (!internals.GetBrickedVolume())
   {
     internals.DropVolume();
     internals.Drawn.set(ren, false);
@@ -473,19 +474,18 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   const double start = vtkTimerLog::GetUniversalTime();
   // An observer may have changed what there is to draw.
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
-  if (const auto contents = internals.GetContents())
+  if (const auto bricked = internals.GetBrickedVolume())
   {
-    std::optional<std::string> fault =
-      internals.CheckRequests(this, property, contents->Components);
+    std::optional<std::string> fault = internals.CheckRequests(this, property, bricked->components);
     fault = fault->empty() ? internals.CheckValues(this, property) : fault;
     try
     {
-      internals.UpdateRenderer(this, property, contents);
-      fault = fault->empty() ? internals.Draw(this, ren, vol, *contents) : fault;
+      internals.UpdateRenderer(this, property, bricked);
+      fault = fault->empty() ? internals.Draw(this, ren, vol, *bricked) : fault;
     }
     catch (const std::bad_alloc&)
     {
-      internals.Contents.reset();
+      internals.Bricked.reset();
       fault = "out of memory on the host. Read fewer levels, or make the window smaller";
     }
     if (fault)

@@ -70,13 +70,12 @@ struct TilePart
 };
 }
 
-View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents,
-  int width, int height)
+View makeView(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, int width, int height)
 {
   vtkCamera* camera = ren->GetActiveCamera();
   // Data -> half cells from the lower corner of the bounds.
   const glm::dmat4 dataToHalfCells = glm::translate(
-    glm::scale(glm::dmat4(1.0), 2.0 / contents.Spacing), -contents.World(glm::dvec3(0.0)));
+    glm::scale(glm::dmat4(1.0), 2.0 / bricked.spacing), -bricked.world(glm::dvec3(0.0)));
   const glm::dmat4 worldToData = glm::inverse(toGLM(vol->GetMatrix()));
 
   View view;

@@ -3,7 +3,7 @@
 #ifndef ExaBricksAdaptersViewInput_h
 #define ExaBricksAdaptersViewInput_h
 
-#include "Adapters/DataContents.h"
+#include "Adapters/BrickedVolume.h"
 #include "Vulkan/VolumeRenderer.h"
 
 class vtkRenderer;
@@ -15,8 +15,8 @@ namespace exabricks
 /// parallel, sheared, off-axis and explicit projections, the eye of a stereo picture, the part of a
 /// tiled one, and the camera's model transform. The data's own coordinates are those before the
 /// volume's matrix, in which VTK measures the opacity unit distance.
-View makeView(vtkRenderer* ren, vtkVolume* vol, const vtkExaBricksData::Contents& contents,
-  int width, int height);
+View makeView(
+  vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, int width, int height);
 }
 
 #endif

@@ -13,6 +13,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
@@ -98,13 +99,13 @@ Subject::Subject(Setting setting)
     vtkNew<vtkExaBricksBuilder> builder;
     builder->SetInputDataObject(this->Given.amr);
     builder->Update();
-    this->Contents = builder->GetOutput()->GetContents();
+    this->Bricked = builder->GetOutput()->GetBrickedVolume();
   }
   else
   {
     this->Build();
   }
-  if (!this->Contents)
+  if (!this->Bricked)
   {
     throw std::runtime_error("the builder refuses the data");
   }
@@ -115,12 +116,12 @@ Subject::~Subject() = default;
 void Subject::Build()
 {
   const Hierarchy& hierarchy = this->Given.hierarchy;
-  auto contents = std::make_shared<vtkExaBricksData::Contents>();
-  contents->Volume.structure = std::make_shared<const Structure>(buildStructure(hierarchy));
-  contents->Origin = hierarchy.origin;
-  contents->Spacing = hierarchy.spacing;
-  contents->Volume.values = makeValues(*contents->Volume.structure, *this->Given.cells);
-  this->Contents = std::move(contents);
+  auto bricked = std::make_shared<BrickedVolume>();
+  bricked->volume.structure = std::make_shared<const Structure>(buildStructure(hierarchy));
+  bricked->origin = hierarchy.origin;
+  bricked->spacing = hierarchy.spacing;
+  bricked->volume.values = makeValues(*bricked->volume.structure, *this->Given.cells);
+  this->Bricked = std::move(bricked);
 }
 
 std::vector<reference::View> Subject::Views(Reconstruction reconstruction) const
@@ -202,7 +203,7 @@ reference::Image Subject::draw(
   vtkNew<vtkVolumeProperty> property;
   setProperty(this->Given, property);
 
-  View view = makeView(scene, volume, *this->Contents, this->Given.width, this->Given.height);
+  View view = makeView(scene, volume, *this->Bricked, this->Given.width, this->Given.height);
   view.quality.reconstruction = reconstruction;
   view.quality.stepScale = this->Given.stepScale;
   view.opacityUnitDistance = this->Given.unitDistance / this->Given.scale;
@@ -211,7 +212,7 @@ reference::Image Subject::draw(
   const std::shared_ptr<vulkan::Device> device = vulkan::Device::acquire("");
   const std::uint64_t largest = device->maximumValueBuffer();
   device->limitValueBuffers(std::min(largest, this->Given.largestValueBuffer));
-  const Volume& subject = this->Contents->Volume;
+  const Volume& subject = this->Bricked->volume;
   renderer.setVolume(subject);
   renderer.setTransferFunction(makeTransferFunction(property, subject.values->range));
   std::vector<glm::vec4> pixels;

@@ -6,7 +6,7 @@
 
 #include "Case.h"
 
-#include "Adapters/DataContents.h"
+#include "Adapters/BrickedVolume.h"
 #include "Vulkan/VolumeRenderer.h"
 
 #include "vtkNew.h"
@@ -42,7 +42,7 @@ public:
   ~Subject();
 
   const Setting& setting() const { return this->Given; }
-  const vtkExaBricksData::Contents& contents() const { return *this->Contents; }
+  const BrickedVolume& bricked() const { return *this->Bricked; }
 
   /// Pictures that are right: several where a ray may take either side of a face.
   std::vector<reference::Image> truths(Reconstruction reconstruction) const;
@@ -57,7 +57,7 @@ private:
   std::vector<reference::View> Views(Reconstruction reconstruction) const;
 
   const Setting Given;
-  std::shared_ptr<const vtkExaBricksData::Contents> Contents;
+  std::shared_ptr<const BrickedVolume> Bricked;
 };
 
 struct Errors

@@ -43,7 +43,7 @@ TEST_P(Stability, KeepsItsBound)
 {
   const Case& test = this->GetParam();
   const Subject subject(test.make());
-  const Structure& structure = *subject.contents().Volume.structure;
+  const Structure& structure = *subject.bricked().volume.structure;
   std::cout << test.name << ": " << structure.bricks.size() << " bricks, "
             << structure.tree.regions.size() << " regions\n";
   EXPECT_GE(structure.bricks.size(), subject.setting().leastBricks);
