@@ -4,6 +4,7 @@
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRInput.h"
 #include "Adapters/BrickedVolume.h"
+#include "Adapters/UnfinishedRun.h"
 #include "Core/Stopwatch.h"
 #include "vtkExaBricksData.h"
 
@@ -16,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
-#include "vtkVersionMacros.h"
 
 #include <exception>
 #include <new>
@@ -56,10 +56,7 @@ struct vtkExaBricksBuilder::vtkInternals
 {
   std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
   bool SaidPointsAreConverted = false;
-  // The last build was aborted, or there was no memory for it: its output is empty, and not to be
-  // taken for up to date.
-  bool Unfinished = false;
-  bool SaidNoMemory = false; // since the last build that there was memory for
+  exabricks::UnfinishedRun Unfinished;
 
   // Points each block of `source` to its array. Returns the array's name; sets its number of
   // components, and `fault`.
@@ -164,12 +161,9 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
     return [self, from, to](double done)
     {
       self->UpdateProgress(from + (to - from) * done);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-      self->Internals->Unfinished = self->CheckAbort() || self->GetAbortExecute();
-#else
-      self->Internals->Unfinished = self->GetAbortExecute() != 0;
-#endif
-      return !self->Internals->Unfinished;
+      const bool aborted = exabricks::isAborted(self);
+      self->Internals->Unfinished.set(aborted);
+      return !aborted;
     };
   };
   const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
@@ -221,14 +215,7 @@ vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;
 
 vtkMTimeType vtkExaBricksBuilder::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Internals->Unfinished)
-  {
-    vtkTimeStamp now;
-    now.Modified();
-    time = now.GetMTime();
-  }
-  return time;
+  return this->Internals->Unfinished.modificationTime(this->Superclass::GetMTime());
 }
 
 vtkExaBricksData* vtkExaBricksBuilder::GetOutput()
@@ -266,7 +253,7 @@ int vtkExaBricksBuilder::RequestData(
   vtkExaBricksData* output = vtkExaBricksData::SafeDownCast(
     outputVector->GetInformationObject(0)->Get(vtkDataObject::DATA_OBJECT()));
   output->Initialize();
-  this->Internals->Unfinished = false;
+  this->Internals->Unfinished.set(false);
   if (!amr)
   {
     vtkErrorMacro("Expected a vtkOverlappingAMR, found none. Set the input.");
@@ -281,16 +268,13 @@ int vtkExaBricksBuilder::RequestData(
     {
       output->SetBrickedVolume(std::move(bricked));
     }
-    this->Internals->SaidNoMemory = false;
+    this->Internals->Unfinished.setEnoughMemory();
   }
   catch (const std::bad_alloc&)
   {
     this->Internals->Structure.reset();
-    this->Internals->Unfinished = true;
-    // Each picture tries anew: it is said once as long as it stays.
-    if (!this->Internals->SaidNoMemory)
+    if (this->Internals->Unfinished.setOutOfMemory())
     {
-      this->Internals->SaidNoMemory = true;
       vtkErrorMacro("Out of memory on the host: expected memory for bricks, regions and values of "
         << amr->GetNumberOfCells() << " cells, which are up to " << 4 * amr->GetNumberOfCells()
         << " bytes for the values alone. Read fewer levels.");

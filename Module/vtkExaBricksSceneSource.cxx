@@ -2,6 +2,7 @@
 #include "vtkExaBricksSceneSource.h"
 
 #include "Adapters/SceneOutput.h"
+#include "Adapters/UnfinishedRun.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -9,7 +10,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPolyData.h"
-#include "vtkVersionMacros.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -40,9 +40,7 @@ std::string lowerCase(std::string text)
 struct vtkExaBricksSceneSource::vtkInternals
 {
   StandIn Made; // of the last run, without blocks
-  // There was no memory for the last run: its output is empty, and not to be taken for up to date.
-  bool Unfinished = false;
-  bool SaidNoMemory = false; // since the last run that there was memory for
+  exabricks::UnfinishedRun Unfinished;
 };
 
 vtkExaBricksSceneSource::vtkExaBricksSceneSource()
@@ -56,14 +54,7 @@ vtkExaBricksSceneSource::~vtkExaBricksSceneSource() = default;
 
 vtkMTimeType vtkExaBricksSceneSource::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Internals->Unfinished)
-  {
-    vtkTimeStamp now;
-    now.Modified();
-    time = now.GetMTime();
-  }
-  return time;
+  return this->Internals->Unfinished.modificationTime(this->Superclass::GetMTime());
 }
 
 void vtkExaBricksSceneSource::SetSceneName(const char* name)
@@ -117,7 +108,7 @@ int vtkExaBricksSceneSource::RequestData(
   vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(outputVector, 0);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, 1);
   this->Internals->Made = {};
-  this->Internals->Unfinished = false;
+  this->Internals->Unfinished.set(false);
   if (this->NumberOfLeafCells < this->GetLeastNumberOfLeafCells())
   {
     vtkWarningMacro("Expected at least "
@@ -132,11 +123,7 @@ int vtkExaBricksSceneSource::RequestData(
     const auto progress = [this](double done)
     {
       this->UpdateProgress(done);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-      return !(this->CheckAbort() || this->GetAbortExecute());
-#else
-      return this->GetAbortExecute() == 0;
-#endif
+      return !exabricks::isAborted(this);
     };
     if (!exabricks::writeAMR(made.hierarchy, *made.cells, "value", amr, progress))
     {
@@ -148,17 +135,14 @@ int vtkExaBricksSceneSource::RequestData(
     made.cells.reset();
     made.mesh = {};
     this->Internals->Made = std::move(made);
-    this->Internals->SaidNoMemory = false;
+    this->Internals->Unfinished.setEnoughMemory();
   }
   catch (const std::bad_alloc&)
   {
     amr->Initialize();
     mesh->Initialize();
-    this->Internals->Unfinished = true;
-    // Each update tries anew: it is said once as long as it stays.
-    if (!this->Internals->SaidNoMemory)
+    if (this->Internals->Unfinished.setOutOfMemory())
     {
-      this->Internals->SaidNoMemory = true;
       vtkErrorMacro("Out of memory on the host: expected memory for "
         << this->NumberOfLeafCells << " leaf cells, which are at least "
         << 5 * static_cast<std::uint64_t>(this->NumberOfLeafCells)
