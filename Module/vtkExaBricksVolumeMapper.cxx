@@ -2,24 +2,22 @@
 #include "vtkExaBricksVolumeMapper.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Adapters/ArraySelection.h"
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/Compositor.h"
 #include "Adapters/DrawnRenderers.h"
-#include "Adapters/Requests.h"
-#include "Adapters/TransferFunctionInput.h"
+#include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
 #include "Vulkan/VolumeRenderer.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkGarbageCollector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +27,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -56,168 +53,187 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   // What the renderer was last given.
   std::shared_ptr<const exabricks::BrickedVolume> Bricked;
-  bool Completed = false;                // its values
+  bool Completed = false;                // whether its levels were completed
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
 
   bool ReconstructionChosen = false;
-  bool VectorChosen = false;
+  bool VectorModeChosen = false;
 
-  std::set<std::string> Said;     // warnings, once each
-  std::string SaidFault;          // of the last picture, said once as long as it stays
-  std::string ConfigurationFault; // empty if the builder has the mapper's input and array
+  std::set<std::string> ReportedWarnings; // each is reported once
+  std::string ReportedFault;              // of the last picture: reported once as long as it stays
+  std::string ConfigurationFault;         // empty if the builder has the mapper's input and array
 
-  void WarnOnce(vtkExaBricksVolumeMapper* self, const std::string& what)
+  explicit vtkInternals(vtkExaBricksVolumeMapper* self)
+    : Self(self)
   {
-    if (this->Said.insert(what).second)
-    {
-      vtkWarningWithObjectMacro(self, << what);
-    }
   }
 
-  // Says a fault, or that there is none any more.
-  void SayFault(vtkExaBricksVolumeMapper* self, const std::string& fault)
-  {
-    if (!fault.empty() && fault != this->SaidFault)
-    {
-      vtkErrorWithObjectMacro(self, "The volume is not drawn: " << fault << ".");
-    }
-    this->SaidFault = fault;
-  }
-
-  // Gives back what was held of the former volume.
-  void DropVolume()
-  {
-    this->Renderer.setVolume({});
-    this->Bricked.reset();
-  }
-
-  // Null: there is nothing to draw.
-  std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume()
-  {
-    vtkExaBricksData* data = this->Builder->GetOutput();
-    return this->ConfigurationFault.empty() && data ? data->GetBrickedVolume() : nullptr;
-  }
-
-  // Returns which values cannot be drawn with.
-  std::string CheckValues(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property);
-  // Says what the volume is drawn without; returns what is refused.
-  std::string CheckRequests(
-    vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property, int components);
-  // Points the builder to the mapper's input and array; returns why it cannot.
-  std::string ConfigureBuilder(vtkExaBricksVolumeMapper* self);
-  // Hands the renderer what has changed. Throws std::bad_alloc.
-  void UpdateRenderer(vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property,
+  // The steps of a picture, in their order.
+  std::string ConfigureBuilder();
+  std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume() const;
+  std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
-  // Renders the picture and puts it into the window, as Compositor::draw() does.
-  std::optional<std::string> Draw(vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
-    const exabricks::BrickedVolume& bricked);
+  void UpdateRenderer(
+    vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::Range& range);
+  std::optional<std::string> Composite(
+    vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
+
+  void DropVolume();
+  std::string Report(const exabricks::Requests& requests);
+  void ReportFault(const std::string& fault);
+
+private:
+  vtkExaBricksVolumeMapper* const Self;
 };
 
-std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder(vtkExaBricksVolumeMapper* self)
+// Points the builder to the mapper's input and array; returns why it cannot.
+std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
 {
+  vtkExaBricksBuilder* builder = this->Builder;
   vtkAlgorithmOutput* input =
-    self->GetNumberOfInputConnections(0) > 0 ? self->GetInputConnection(0, 0) : nullptr;
+    this->Self->GetNumberOfInputConnections(0) > 0 ? this->Self->GetInputConnection(0, 0) : nullptr;
   if (!input)
   {
     // Nothing of the former input is kept.
-    this->Builder->RemoveAllInputConnections(0);
-    this->Builder->GetOutputDataObject(0)->Initialize();
+    builder->RemoveAllInputConnections(0);
+    builder->GetOutputDataObject(0)->Initialize();
     this->DropVolume();
     return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
   }
-  vtkExaBricksBuilder* builder = this->Builder;
   if (builder->GetNumberOfInputConnections(0) == 0 || builder->GetInputConnection(0, 0) != input)
   {
     builder->SetInputConnection(input);
   }
-  builder->SetVectorMode(self->VectorMode);
-  builder->SetVectorComponent(self->VectorComponent);
-
-  // Asked for an attribute, VTK marks the filter as modified even where nothing changes: it would
-  // run again for every picture.
-  const auto useActiveScalars = [builder](int wanted)
-  {
-    vtkInformation* present = builder->GetInputArrayInformation(0);
-    if (present->Has(vtkDataObject::FIELD_NAME()) ||
-      present->Get(vtkDataObject::FIELD_ASSOCIATION()) != wanted)
-    {
-      builder->SetInputArrayToProcess(0, 0, 0, wanted, vtkDataSetAttributes::SCALARS);
-    }
-    return std::string();
-  };
-  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  switch (self->ScalarMode)
-  {
-    case VTK_SCALAR_MODE_DEFAULT:
-      return useActiveScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
-    case VTK_SCALAR_MODE_USE_POINT_DATA:
-      return useActiveScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-    case VTK_SCALAR_MODE_USE_CELL_DATA:
-      return useActiveScalars(association);
-    case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
-      association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-      break;
-    case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
-      break;
-    default:
-      return std::string("Expected a scalar mode of points or cells, found ") +
-        self->GetScalarModeAsString() + ". Call one of SetScalarModeTo...";
-  }
-  std::string name = self->ArrayName ? self->ArrayName : "";
-  if (self->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
-  {
-    // Ids mean the arrays of a block, so look at the first.
-    self->GetInputAlgorithm(0, 0)->Update();
-    vtkOverlappingAMR* amr = vtkOverlappingAMR::SafeDownCast(self->GetDataObjectInput());
-    vtkDataSet* block = amr ? exabricks::getFirstBlock(amr) : nullptr;
-    vtkDataSetAttributes* data = block ? block->GetAttributes(association) : nullptr;
-    const char* found = data && self->ArrayId >= 0 ? data->GetArrayName(self->ArrayId) : nullptr;
-    if (!found)
-    {
-      return "Expected the number of an array from 0 to " +
-        std::to_string(data ? data->GetNumberOfArrays() - 1 : -1) + ", found " +
-        std::to_string(self->ArrayId) + ". Call SelectScalarArray() with the name of an array";
-    }
-    name = found;
-  }
-  builder->SetInputArrayToProcess(0, 0, 0, association, name.c_str());
-  return {};
+  builder->SetVectorMode(this->Self->VectorMode);
+  builder->SetVectorComponent(this->Self->VectorComponent);
+  return exabricks::selectArray(builder, this->Self);
 }
 
-void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(vtkExaBricksVolumeMapper* self,
+// What the builder made; null if there is nothing to draw.
+std::shared_ptr<const exabricks::BrickedVolume>
+vtkExaBricksVolumeMapper::vtkInternals::GetBrickedVolume() const
+{
+  vtkExaBricksData* data = this->Builder->GetOutput();
+  return this->ConfigurationFault.empty() && data ? data->GetBrickedVolume() : nullptr;
+}
+
+// Checks what is asked for, updates the renderer and draws. Returns as Compositor::draw() does.
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
+  vtkRenderer* ren, vtkVolume* vol, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
+{
+  const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
+  const std::string refused = this->Report(exabricks::checkWithData(property,
+    { this->Self->StepScale, this->Self->ErrorTolerance, this->ReconstructionChosen,
+      this->VectorModeChosen },
+    bricked->components));
+  try
+  {
+    this->UpdateRenderer(property, bricked);
+    return refused.empty() ? this->Composite(ren, vol, *bricked) : refused;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Bricked.reset();
+    return "out of memory on the host. Read fewer levels, or make the window smaller";
+  }
+}
+
+// Hands the renderer what has changed. Throws std::bad_alloc.
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
 {
-  this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(self->Traversal));
-  this->Renderer.selectDevice(self->Device ? self->Device : "");
+  this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(this->Self->Traversal));
+  this->Renderer.selectDevice(this->Self->Device ? this->Self->Device : "");
   const bool newData = bricked != this->Bricked;
-  const bool completed = self->Reconstruction == COMPLETED;
-  if (newData || completed != this->Completed)
+  if (newData || this->Completed != (this->Self->Reconstruction == COMPLETED))
   {
-    // The former one goes first, as completing the levels takes memory.
-    this->Renderer.setVolume({});
-    exabricks::Volume volume = bricked->volume;
-    if (completed)
-    {
-      volume.values = exabricks::complete(*volume.structure, *volume.values);
-    }
-    this->Renderer.setVolume(std::move(volume));
-    this->Bricked = bricked;
-    this->Completed = completed;
+    this->UpdateVolume(bricked);
   }
+  // Nodes are normalised to the range of the data, so new data want new tables too.
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
   {
-    // Nodes are normalised to the range of the data, so new data want new tables too.
-    this->Property = property;
-    this->Renderer.setTransferFunction(
-      exabricks::makeTransferFunction(property, bricked->volume.values->range));
-    // Now, as discretised functions make tables when they are asked, and are modified by that.
-    this->PropertyTime = property->GetMTime();
+    this->UpdateTransferFunction(property, bricked->volume.values->range);
   }
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
+  const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
+{
+  // The former one goes first, as completing the levels takes memory.
+  this->Renderer.setVolume({});
+  exabricks::Volume volume = bricked->volume;
+  const bool completed = this->Self->Reconstruction == COMPLETED;
+  if (completed)
+  {
+    volume.values = exabricks::complete(*volume.structure, *volume.values);
+  }
+  this->Renderer.setVolume(std::move(volume));
+  this->Bricked = bricked;
+  this->Completed = completed;
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
+  vtkVolumeProperty* property, const exabricks::Range& range)
+{
+  this->Property = property;
+  this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
+  // Asked afterwards, as discretised functions make tables when they are evaluated, and are
+  // modified by that.
+  this->PropertyTime = property->GetMTime();
+}
+
+// Renders the picture and puts it into the window.
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
+{
+  const auto makeView = [&](int width, int height)
+  {
+    exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
+    view.quality.reconstruction = static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
+    view.quality.stepScale = this->Self->StepScale;
+    view.quality.errorTolerance = this->Self->ErrorTolerance;
+    view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+    view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
+    return view;
+  };
+  return this->Compositor.draw(this->Self, ren, vol, makeView, this->Renderer);
+}
+
+// Gives back what was held of the former volume.
+void vtkExaBricksVolumeMapper::vtkInternals::DropVolume()
+{
+  this->Renderer.setVolume({});
+  this->Bricked.reset();
+}
+
+// Warns, once, of what the volume is drawn without; returns what is refused.
+std::string vtkExaBricksVolumeMapper::vtkInternals::Report(const exabricks::Requests& requests)
+{
+  for (const std::string& what : requests.drawnWithout)
+  {
+    if (this->ReportedWarnings.insert(what).second)
+    {
+      vtkWarningWithObjectMacro(this->Self, << what);
+    }
+  }
+  return requests.refused;
+}
+
+// Reports a fault, unless the last picture had it too; or that there is none any more.
+void vtkExaBricksVolumeMapper::vtkInternals::ReportFault(const std::string& fault)
+{
+  if (!fault.empty() && fault != this->ReportedFault)
+  {
+    vtkErrorWithObjectMacro(this->Self, "The volume is not drawn: " << fault << ".");
+  }
+  this->ReportedFault = fault;
 }
 
 vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
 }
 
@@ -256,9 +272,9 @@ void vtkExaBricksVolumeMapper::SetReconstruction(int reconstruction)
 void vtkExaBricksVolumeMapper::SetVectorMode(int mode)
 {
   const int clamped = vtkMath::ClampValue(mode, int(MAGNITUDE), int(COMPONENT));
-  if (clamped != this->VectorMode || !this->Internals->VectorChosen)
+  if (clamped != this->VectorMode || !this->Internals->VectorModeChosen)
   {
-    this->Internals->VectorChosen = true;
+    this->Internals->VectorModeChosen = true;
     this->VectorMode = clamped;
     this->Modified();
   }
@@ -376,8 +392,8 @@ double* vtkExaBricksVolumeMapper::GetBounds()
 
 void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
 {
-  // vtkVolume updates before each picture, and Render() once more: a fault is said once.
-  const std::string fault = this->Internals->ConfigureBuilder(this);
+  // vtkVolume updates before each picture, and Render() once more: a fault is reported once.
+  const std::string fault = this->Internals->ConfigureBuilder();
   if (!fault.empty() && fault != this->Internals->ConfigurationFault)
   {
     vtkErrorMacro(<< fault << ".");
@@ -389,57 +405,6 @@ void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
   }
 }
 
-std::string vtkExaBricksVolumeMapper::vtkInternals::CheckValues(
-  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property)
-{
-  const double unit = property->GetScalarOpacityUnitDistance(0);
-  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(self->StepScale) ||
-    !std::isfinite(self->ErrorTolerance))
-  {
-    return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
-           "ErrorTolerance, found " +
-      std::to_string(unit) + ", " + std::to_string(self->StepScale) + " and " +
-      std::to_string(self->ErrorTolerance);
-  }
-  return {};
-}
-
-std::string vtkExaBricksVolumeMapper::vtkInternals::CheckRequests(
-  vtkExaBricksVolumeMapper* self, vtkVolumeProperty* property, int components)
-{
-  exabricks::Requests requests =
-    exabricks::checkComponents(property, components, this->VectorChosen);
-  if (!this->ReconstructionChosen && property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
-  {
-    requests.drawnWithout.push_back(
-      "The property's interpolation type is nearest, its default, and does not count yet: the "
-      "volume is drawn continuous, by the reconstruction Basis. Call SetReconstructionToNearest(), "
-      "or SetInterpolationTypeToLinear() of the property.");
-  }
-  for (const std::string& what : requests.drawnWithout)
-  {
-    this->WarnOnce(self, what);
-  }
-  return requests.refused;
-}
-
-std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
-  vtkExaBricksVolumeMapper* self, vtkRenderer* ren, vtkVolume* vol,
-  const exabricks::BrickedVolume& bricked)
-{
-  const auto makeView = [&](int width, int height)
-  {
-    exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
-    view.quality.reconstruction = static_cast<exabricks::Reconstruction>(self->Reconstruction);
-    view.quality.stepScale = self->StepScale;
-    view.quality.errorTolerance = self->ErrorTolerance;
-    view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
-    view.quality.terminationOpacity = self->EarlyTerminationOpacity;
-    return view;
-  };
-  return this->Compositor.draw(self, ren, vol, makeView, this->Renderer);
-}
-
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
@@ -447,14 +412,10 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     return; // blended colours would be taken for ids
   }
-  const exabricks::Requests requests = exabricks::checkRequests(this, vol);
-  for (const std::string& what : requests.drawnWithout)
+  const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
+  if (!refused.empty())
   {
-    internals.WarnOnce(this, what);
-  }
-  if (!requests.refused.empty())
-  {
-    internals.SayFault(this, requests.refused);
+    internals.ReportFault(refused);
     internals.Drawn.set(ren, false);
     return;
   }
@@ -472,31 +433,15 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
-  // An observer may have changed what there is to draw.
-  const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
-  if (const auto bricked = internals.GetBrickedVolume())
-  {
-    std::optional<std::string> fault = internals.CheckRequests(this, property, bricked->components);
-    fault = fault->empty() ? internals.CheckValues(this, property) : fault;
-    try
-    {
-      internals.UpdateRenderer(this, property, bricked);
-      fault = fault->empty() ? internals.Draw(this, ren, vol, *bricked) : fault;
-    }
-    catch (const std::bad_alloc&)
-    {
-      internals.Bricked.reset();
-      fault = "out of memory on the host. Read fewer levels, or make the window smaller";
-    }
-    if (fault)
-    {
-      internals.SayFault(this, *fault);
-      internals.Drawn.set(ren, fault->empty());
-    }
-  }
-  else
+  const auto bricked = internals.GetBrickedVolume(); // an observer may have changed it
+  if (!bricked)
   {
     internals.Drawn.set(ren, false);
+  }
+  else if (const std::optional<std::string> fault = internals.Draw(ren, vol, bricked))
+  {
+    internals.ReportFault(*fault);
+    internals.Drawn.set(ren, fault->empty());
   }
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Adapters/Requests.h"
+#include "Adapters/PropertyInput.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -9,6 +9,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace exabricks
 {
@@ -28,9 +29,56 @@ bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
   }
   return gradientOpacity->GetSize() == 0 || !gradientOpacity->GetClamping();
 }
+
+void checkComponents(
+  vtkVolumeProperty* property, int components, bool vectorModeChosen, Requests& requests)
+{
+  if (components == 1)
+  {
+    return;
+  }
+  if (!property->GetIndependentComponents())
+  {
+    requests.refused = "expected independent components, found " + std::to_string(components) +
+      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
+      "of the volume property, and choose a component or the magnitude";
+    return;
+  }
+  if (!vectorModeChosen)
+  {
+    requests.drawnWithout.push_back(
+      "Several independent components are not supported yet: of the " + std::to_string(components) +
+      " of the array the magnitude is drawn, with the functions of component 0. Call "
+      "SetVectorModeToMagnitude() if that is meant, or SetVectorModeToComponent() and "
+      "SetVectorComponent().");
+  }
+  for (int component = 0; component < std::min(components, VTK_MAX_VRCOMP); ++component)
+  {
+    if (property->GetComponentWeight(component) != 1.0)
+    {
+      requests.drawnWithout.push_back("Weights of components are not supported yet: the volume is "
+                                      "drawn without them.");
+      break;
+    }
+  }
 }
 
-Requests checkRequests(vtkVolumeMapper* mapper, vtkVolume* volume)
+void checkValues(vtkVolumeProperty* property, const MapperSettings& settings, Requests& requests)
+{
+  const double unit = property->GetScalarOpacityUnitDistance(0);
+  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(settings.stepScale) ||
+    !std::isfinite(settings.errorTolerance))
+  {
+    requests.refused =
+      "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
+      "ErrorTolerance, found " +
+      std::to_string(unit) + ", " + std::to_string(settings.stepScale) + " and " +
+      std::to_string(settings.errorTolerance);
+  }
+}
+}
+
+Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
@@ -82,37 +130,30 @@ Requests checkRequests(vtkVolumeMapper* mapper, vtkVolume* volume)
   return requests;
 }
 
-Requests checkComponents(vtkVolumeProperty* property, int components, bool chosen)
+Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settings, int components)
 {
   Requests requests;
-  if (components == 1)
-  {
-    return requests;
-  }
-  if (!property->GetIndependentComponents())
-  {
-    requests.refused = "expected independent components, found " + std::to_string(components) +
-      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
-      "of the volume property, and choose a component or the magnitude";
-    return requests;
-  }
-  if (!chosen)
+  checkComponents(property, components, settings.vectorModeChosen, requests);
+  if (!settings.reconstructionChosen &&
+    property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
   {
     requests.drawnWithout.push_back(
-      "Several independent components are not supported yet: of the " + std::to_string(components) +
-      " of the array the magnitude is drawn, with the functions of component 0. Call "
-      "SetVectorModeToMagnitude() if that is meant, or SetVectorModeToComponent() and "
-      "SetVectorComponent().");
+      "The property's interpolation type is nearest, its default, and does not count yet: the "
+      "volume is drawn continuous, by the reconstruction Basis. Call SetReconstructionToNearest(), "
+      "or SetInterpolationTypeToLinear() of the property.");
   }
-  for (int component = 0; component < std::min(components, VTK_MAX_VRCOMP); ++component)
+  if (requests.refused.empty())
   {
-    if (property->GetComponentWeight(component) != 1.0)
-    {
-      requests.drawnWithout.push_back("Weights of components are not supported yet: the volume is "
-                                      "drawn without them.");
-      break;
-    }
+    checkValues(property, settings, requests);
   }
   return requests;
+}
+
+TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)
+{
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
+  return property->GetColorChannels(0) == 1
+    ? makeTransferFunction(property->GetGrayTransferFunction(0), opacity, range)
+    : makeTransferFunction(property->GetRGBTransferFunction(0), opacity, range);
 }
 }

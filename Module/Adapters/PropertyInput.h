@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene asks of the mapper that it does not do, in words.
-#ifndef ExaBricksAdaptersRequests_h
-#define ExaBricksAdaptersRequests_h
+// What the user asks of a picture by the volume property and the mapper: its translation for the
+// renderer, and beside it, in words, what is refused and what the volume is drawn without.
+#ifndef ExaBricksAdaptersPropertyInput_h
+#define ExaBricksAdaptersPropertyInput_h
+
+#include "Adapters/TransferFunctionInput.h"
 
 #include <string>
 #include <vector>
@@ -18,11 +21,24 @@ struct Requests
   std::vector<std::string> drawnWithout; // what the volume is drawn without
 };
 
-/// What can be told without data.
-Requests checkRequests(vtkVolumeMapper* mapper, vtkVolume* volume);
+/// What the mapper is asked for beside the property.
+struct MapperSettings
+{
+  double stepScale = 1.0;
+  double errorTolerance = 0.0;
+  // Whether somebody chose them, or they are the defaults.
+  bool reconstructionChosen = false;
+  bool vectorModeChosen = false;
+};
 
-/// Of an array of so many components. `chosen`: somebody chose one of them, or their magnitude.
-Requests checkComponents(vtkVolumeProperty* property, int components, bool chosen);
+/// Checks what can be told without data.
+Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
+
+/// Checks the rest, for an array of so many components.
+Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settings, int components);
+
+/// Colour and opacity of component 0, over `range` of the array's values.
+TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range);
 }
 
 #endif

@@ -3,8 +3,8 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDiscretizableColorTransferFunction.h"
+#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -190,20 +190,11 @@ TransferFunction sampleAtBends(
 }
 }
 
-TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)
+TransferFunction makeTransferFunction(
+  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity, const Range& range)
 {
   Bends bends;
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
   bends.Add(opacity);
-  if (property->GetColorChannels(0) == 1)
-  {
-    vtkPiecewiseFunction* gray = property->GetGrayTransferFunction(0);
-    bends.Add(gray);
-    return sampleAtBends(bends, range,
-      [=](double value)
-      { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
-  }
-  vtkColorTransferFunction* colors = property->GetRGBTransferFunction(0);
   vtkNew<vtkColorTransferFunction> ofValues;
   if (colors->GetIndexedLookup())
   {
@@ -226,6 +217,17 @@ TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& 
       const std::array<double, 3> rgb = colorAt(value);
       return glm::dvec4(rgb[0], rgb[1], rgb[2], opacity->GetValue(value));
     });
+}
+
+TransferFunction makeTransferFunction(
+  vtkPiecewiseFunction* gray, vtkPiecewiseFunction* opacity, const Range& range)
+{
+  Bends bends;
+  bends.Add(opacity);
+  bends.Add(gray);
+  return sampleAtBends(bends, range,
+    [=](double value)
+    { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
 }
 
 TransferFunction makeTransferFunction(vtkPiecewiseFunction* opacity, const Range& range)

@@ -5,7 +5,7 @@
 #include "VTKScene.h"
 
 #include "Adapters/AMRInput.h"
-#include "Adapters/TransferFunctionInput.h"
+#include "Adapters/PropertyInput.h"
 
 #include "Display.h"
 #include "Failure.h"

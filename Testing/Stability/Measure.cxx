@@ -4,7 +4,7 @@
 #include "MakeAMR.h"
 
 #include "Adapters/AMRInput.h"
-#include "Adapters/TransferFunctionInput.h"
+#include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Vulkan/Device.h"
 
