@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkStringArray.h"
 
 namespace
 {
@@ -42,6 +43,23 @@ vtkIdType countLeafCells(vtkOverlappingAMR* amr)
   return leafCells;
 }
 
+// The device of the last picture.
+bool hasRayQuery(vtkExaBricksVolumeMapper* mapper)
+{
+  vtkNew<vtkStringArray> devices;
+  vtkExaBricksVolumeMapper::GetDevices(devices);
+  for (vtkIdType i = 0; i < devices->GetNumberOfValues(); ++i)
+  {
+    const std::string line = devices->GetValue(i);
+    if (line.find(mapper->GetDeviceName()) != std::string::npos &&
+      line.find("(with ray query)") != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void checkPicture(test::Checks& checks, int scene)
 {
   vtkNew<vtkExaBricksSceneSource> source;
@@ -57,10 +75,17 @@ void checkPicture(test::Checks& checks, int scene)
   source->InitializeCamera(stage.renderer->GetActiveCamera());
   stage.renderer->ResetCameraClippingRange();
   const test::Picture picture(stage.window);
-  // Two ways to find the same regions: garbage would not agree.
-  stage.mapper->SetTraversalToRayQuery();
-  const double likeness = picture.Decibel(test::Picture(stage.window));
-  checks.Expect(likeness >= 50.0, name + " by ray query: " + std::to_string(likeness) + " dB");
+  if (hasRayQuery(stage.mapper))
+  {
+    // Two ways to find the same regions: garbage would not agree.
+    stage.mapper->SetTraversalToRayQuery();
+    const double likeness = picture.Decibel(test::Picture(stage.window));
+    checks.Expect(likeness >= 50.0, name + " by ray query: " + std::to_string(likeness) + " dB");
+  }
+  else
+  {
+    std::cout << name << ": the device has no ray query to compare with\n";
+  }
   const double brightness = picture.Mean()[0] + picture.Mean()[1] + picture.Mean()[2];
   checks.Expect(picture.Coverage() > 0.1, name + " covers more than a tenth of the picture");
   checks.Expect(brightness > 0.03, name + " is not dark");

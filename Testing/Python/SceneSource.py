@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A stand-in for one of the paper's models, made and drawn in Python."""
 
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderer, vtkVolume
 
 import exabricks
@@ -42,10 +42,17 @@ def draw():
     return [pixels.GetValue(i) for i in range(pixels.GetNumberOfValues())]
 
 
-# Two ways to find the same regions agree on the picture.
 by_tree = draw()
-mapper.SetTraversalToRayQuery()
-by_query = draw()
 drawn = sum(value > 0 for value in by_tree)
 assert drawn > len(by_tree) / 10, drawn
-assert sum(abs(a - b) for a, b in zip(by_tree, by_query)) < 0.5 * drawn
+
+# Two ways to find the same regions agree on the picture.
+devices = vtkStringArray()
+mapper.GetDevices(devices)
+lines = [devices.GetValue(i) for i in range(devices.GetNumberOfValues())]
+if any(mapper.GetDeviceName() in line and "(with ray query)" in line for line in lines):
+    mapper.SetTraversalToRayQuery()
+    by_query = draw()
+    assert sum(abs(a - b) for a, b in zip(by_tree, by_query)) < 0.5 * drawn
+else:
+    print("the device has no ray query to compare with")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every case keeps its bound, with both reconstructions and by both traversals.
+// Every case keeps its bound, with both reconstructions and by all traversals of the device.
 #include "Measure.h"
+
+#include "Vulkan/Traversals.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +53,7 @@ TEST_P(Stability, KeepsItsBound)
   for (const Reconstruction reconstruction : { Reconstruction::Basis, Reconstruction::Nearest })
   {
     const std::vector<reference::Image> truths = subject.truths(reconstruction);
-    for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+    for (const Traversal traversal : traversalsOfDevice())
     {
       const std::string way = describe(reconstruction, traversal);
       const Errors errors = compare(subject.draw(*renderers, reconstruction, traversal), truths);

@@ -2,6 +2,7 @@
 // Completed across levels: the layers hold what Testing/Accuracy/Candidates computes, pictures are
 // those of its field, and linear fields and constants come out as they are.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include "Accuracy/PictureAccuracy.h"
 
@@ -162,7 +163,7 @@ TEST(CompletesLevels, PicturesAreThoseOfTheCandidate)
     const reference::Image truth = renderField([&](const glm::dvec3& p)
       { return *sampler.sample(p / named.grid.cellShare, Method::Completed); },
       rampTransfer(), settings);
-    for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+    for (const Traversal traversal : traversalsOfDevice())
     {
       subject.renderer.selectTraversal(traversal);
       const double quality =
@@ -285,8 +286,11 @@ TEST(CompletesLevels, TraversalsAgreeAndAbsentCellsStayAbsent)
     const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
     subject.renderer.selectTraversal(Traversal::KdTree);
     const reference::Image byTree = subject.render(view);
-    subject.renderer.selectTraversal(Traversal::RayQuery);
-    EXPECT_LT(largestDifference(byTree, subject.render(view)), 1e-4) << scene.name;
+    for (const Traversal traversal : traversalsOfDevice())
+    {
+      subject.renderer.selectTraversal(traversal);
+      EXPECT_LT(largestDifference(byTree, subject.render(view)), 1e-4) << scene.name;
+    }
     const reference::Image other = basis.render(view);
     std::cout << scene.name << ": " << reference::psnr(byTree, other)
               << " dB to the basis, coverage " << coverage(byTree) << " and " << coverage(other)

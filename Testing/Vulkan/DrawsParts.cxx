@@ -3,6 +3,7 @@
 // them, and tiles. With an error tolerance all parts have the levels and steps of the whole, which
 // are those of the view alone, whatever was drawn before.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ TEST(DrawsParts, PiecesOfRaysBlendToTheWhole)
   const reference::View from = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
   for (const Reconstruction reconstruction : { Reconstruction::Basis, Reconstruction::Nearest })
   {
-    for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+    for (const Traversal traversal : traversalsOfDevice())
     {
       subject.renderer.selectTraversal(traversal);
       subject.reconstruction = reconstruction;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The error asked for is the error got.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ TEST(KeepsTolerance, WithinAFactorOfTwo)
     SceneRenderer subject(scene);
     const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 128);
     const reference::Image truth = subject.renderOracle(view);
-    for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+    for (const Traversal traversal : traversalsOfDevice())
     {
       subject.renderer.selectTraversal(traversal);
       subject.errorTolerance = 0.02;
@@ -135,7 +136,7 @@ TEST(KeepsTolerance, WithoutLevelsThatItAllowsToLeaveOut)
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
   subject.stepScale = 0.25;
   const reference::Image truth = subject.render(view);
-  for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+  for (const Traversal traversal : traversalsOfDevice())
   {
     subject.renderer.selectTraversal(traversal);
     subject.errorTolerance = 0.01;

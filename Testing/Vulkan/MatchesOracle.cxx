@@ -2,6 +2,7 @@
 // The Vulkan pass draws what the formulas say: pictures at a quarter of a cell's step match the
 // double-precision oracle, and get better with the square of the step.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -103,7 +104,7 @@ TEST(MatchesOracle, APlateauOfTheGreatestValueBesideAbsentCells)
     TransferFunction({ { 0.0, { 0.0, 0.5, 1.0, 0.0 } }, { 1.0, { 1.0, 0.5, 0.0, 1.0 } } }));
   subject.opacityUnitDistance = 20.0;
   const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
-  for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+  for (const Traversal traversal : traversalsOfDevice())
   {
     subject.renderer.selectTraversal(traversal);
     const reference::Image picture = subject.render(view);

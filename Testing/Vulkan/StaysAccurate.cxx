@@ -2,6 +2,7 @@
 // float32 on the device stays right on lattices of 2^20 cells and for cameras 10^5 domain sizes
 // away.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -47,7 +48,7 @@ TEST(StaysAccurate, AtLogicalCoordinatesOfTwoToTheTwenty)
     shifted.ndcToLogical = shift * view.ndcToLogical;
     shifted.ndcToWorld = shift * view.ndcToWorld;
     const reference::Image truth = near.renderOracle(view);
-    for (const Traversal traversal : { Traversal::KdTree, Traversal::RayQuery })
+    for (const Traversal traversal : traversalsOfDevice())
     {
       near.renderer.selectTraversal(traversal);
       far.renderer.selectTraversal(traversal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ray query and k-d tree are two ways to find the same regions: the pictures are the same.
 #include "SceneRenderer.h"
+#include "Traversals.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,21 @@ using namespace exabricks;
 
 namespace
 {
+class TraversalsAgree : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (!deviceHasRayQuery())
+    {
+      const std::string name = vulkan::Device::acquire("")->name();
+      // Where lavapipe seems to lack it, it is us who fail to find it.
+      ASSERT_EQ(name.find("llvmpipe"), std::string::npos) << name << " has it from Mesa 24.1 on";
+      GTEST_SKIP() << name << " has no ray query to compare with";
+    }
+  }
+};
+
 void expectSamePicture(SceneRenderer& subject, const reference::View& view)
 {
   subject.renderer.selectTraversal(Traversal::KdTree);
@@ -21,7 +37,7 @@ void expectSamePicture(SceneRenderer& subject, const reference::View& view)
 }
 }
 
-TEST(TraversalsAgree, OnEveryScene)
+TEST_F(TraversalsAgree, OnEveryScene)
 {
   for (const reference::Scene& scene : reference::allScenes())
   {
@@ -35,7 +51,7 @@ TEST(TraversalsAgree, OnEveryScene)
   }
 }
 
-TEST(TraversalsAgree, OnRandomHierarchies)
+TEST_F(TraversalsAgree, OnRandomHierarchies)
 {
   for (std::uint32_t seed = 1; seed <= 12; ++seed)
   {
