@@ -26,15 +26,14 @@ double medianSeconds(int runs, const Work& work)
 }
 }
 
+const char* const BrickSizesHeader =
+  "scene,levels,blocks,leaf_cells,brick_cells,bricks_to_stop_at,bricks,regions,bricks_per_region,"
+  "bricks_s,regions_s,bytes_per_cell";
+
 void printBrickSizes(const std::string& name, const Hierarchy& hierarchy, int runs)
 {
   const LeafBoxes leaves = findLeafBoxes(hierarchy);
   const double cells = static_cast<double>(leaves.cells);
-  std::printf("\n%s: %d levels, %zu blocks, %.2f M leaf cells; medians of %d runs\n\n"
-              "| cells of a brick | bricks to stop at | bricks | regions | bricks per region | "
-              "bricks s | regions s | bytes per cell |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
-    name.c_str(), hierarchy.levels(), hierarchy.blocks.size(), cells / 1e6, runs);
   for (const int brickCells : { 8, 16, 32 })
   {
     std::vector<Brick> bricks;
@@ -51,8 +50,9 @@ void printBrickSizes(const std::string& name, const Hierarchy& hierarchy, int ru
           tree.regions.size() * (sizeof(layout::Region) + sizeof(ValueRange)) +
           tree.brickLists.size() * sizeof(std::uint32_t) +
           tree.nodes.size() * sizeof(layout::KdNode));
-      std::printf("| %d | %d | %zu | %zu | %.2f | %.3f | %.3f | %.3f |\n", brickCells, perRegion,
-        bricks.size(), tree.regions.size(),
+      std::printf("\"%s\",%d,%zu,%.0f,%d,%d,%zu,%zu,%.2f,%.3f,%.3f,%.3f\n", name.c_str(),
+        hierarchy.levels(), hierarchy.blocks.size(), cells, brickCells, perRegion, bricks.size(),
+        tree.regions.size(),
         static_cast<double>(tree.brickLists.size()) / static_cast<double>(tree.regions.size()),
         brickSeconds, regionSeconds, bytes / cells);
       std::fflush(stdout);

@@ -10,8 +10,10 @@ namespace exabricks
 {
 namespace benchmarks
 {
-/// Prints a Markdown table: time and memory of bricks and regions for several greatest sizes of
-/// bricks and lengths of lists. It is what the defaults were chosen by.
+/// Names of the columns, as CSV.
+extern const char* const BrickSizesHeader;
+/// Prints CSV: time (medians of so many runs) and memory of bricks and regions for several greatest
+/// sizes of bricks and lengths of lists. It is what the defaults were chosen by.
 void printBrickSizes(const std::string& name, const Hierarchy& hierarchy, int runs);
 }
 }

@@ -185,11 +185,11 @@ std::vector<MethodKind> listDirectMethods()
     }
     return kind;
   };
-  const MethodKind tolerance{ ByTolerance, Role::Ours, ErrorTolerance,
+  const MethodKind tolerance{ "basis, by tolerance", Role::Ours, ErrorTolerance,
     { 0.03, 0.02, 0.01, 0.005, 0.002, 0.001 }, { 0.01, 0.005, 0.002 }, Field::Basis,
     maker(toleranceSettings({})), true };
   MethodKind toleranceOfAll = tolerance;
-  toleranceOfAll.name = ByToleranceOfAllLevels;
+  toleranceOfAll.name = "by tolerance, all levels";
   toleranceOfAll.make = maker(toleranceSettings(0));
   return { line("basis, k-d tree", Reconstruction::Basis, Traversal::KdTree, Field::Basis),
     tolerance, toleranceOfAll,
@@ -224,7 +224,7 @@ std::vector<MethodKind> listVariantMethods()
       settings.mostFinestCells = 4096;
     }
     kind.make = maker(settings);
-    kind.everywhere = variant.name == CellLocation;
+    kind.everywhere = variant.name == "cell location";
     kinds.push_back(kind);
   }
   return kinds;

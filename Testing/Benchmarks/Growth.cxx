@@ -36,7 +36,7 @@ void measureGrowth(const SceneKind& kind, double largest, const Size& size, Resu
     {
       continue; // not made any smaller
     }
-    results.growth.push_back(measureFigures(scene, kind.group, size, Frames));
+    results.growth.push_back(measureStructure(scene, kind.group, size, Frames));
     results.growth.back().scene = kind.name;
   }
 }

@@ -5,7 +5,6 @@
 #include "Growth.h"
 #include "Machine.h"
 #include "Measure.h"
-#include "Report.h"
 #include "Request.h"
 
 #include "Display.h"
@@ -174,8 +173,7 @@ void measure(const Request& request)
   }
   if (!results.rows.empty())
   {
-    writeReport(results, request.folder);
-    say("tables and charts are in '" + request.folder + "'");
+    say("written to '" + request.folder + "'; Utilities/report draws tables and charts of it");
   }
   const auto faults = findBrokenBounds(results);
   broken.insert(broken.end(), faults.begin(), faults.end());
@@ -185,6 +183,7 @@ void measure(const Request& request)
 void printStructure(const Request& request)
 {
   std::vector<std::string> missing;
+  std::cout << BrickSizesHeader << std::endl;
   for (const SceneKind& kind : listScenes({}, {}, missing))
   {
     if (kind.scalable)
@@ -201,13 +200,6 @@ void run(const Request& request)
     case Request::Task::List:
       list(request);
       break;
-    case Request::Task::Report:
-    {
-      const Results results = readResults(request.folder);
-      render::MakeWindow(); // says what is missing
-      writeReport(results, request.folder);
-      break;
-    }
     case Request::Task::Measure:
       if (request.structure)
       {

@@ -170,7 +170,7 @@ void say(const std::string& what) { std::cerr << "exabricks-benchmark: " << what
 
 void measureScene(const Scene& scene, const std::string& group, const Plan& plan, Results& results)
 {
-  SceneFigures figures = measureFigures(scene, group, plan.size, 0);
+  SceneMeasurements measured = measureStructure(scene, group, plan.size, 0);
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Entry> entries;
   std::vector<Result> rows; // of what is not drawn
@@ -202,14 +202,14 @@ void measureScene(const Scene& scene, const std::string& group, const Plan& plan
 
   say(scene.name() + ": comparing with the reference");
   Truths truths(scene, plan.accuracySize);
-  figures.truthTime = truths.seconds();
-  figures.truthError = truths.error();
+  measured.truthTime = truths.seconds();
+  measured.truthError = truths.error();
   double opacity = 0.0;
   for (const glm::dvec4& pixel : truths.common().pixels)
   {
     opacity += pixel.a / static_cast<double>(truths.common().pixels.size());
   }
-  figures.meanOpacity = opacity;
+  measured.meanOpacity = opacity;
   if (!plan.pictures.empty())
   {
     writePicture(truths.common(), plan.pictures, pictureFileName(scene.name() + " reference"));
@@ -231,7 +231,7 @@ void measureScene(const Scene& scene, const std::string& group, const Plan& plan
     results.rows.push_back(entry.row);
   }
   results.rows.insert(results.rows.end(), rows.begin(), rows.end());
-  results.scenes.push_back(figures);
+  results.scenes.push_back(measured);
   if (plan.changes > 0)
   {
     say(scene.name() + ": changing colours, opacity and camera");

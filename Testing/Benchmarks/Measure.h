@@ -29,7 +29,7 @@ struct Plan
 void measureScene(const Scene& scene, const std::string& group, const Plan& plan, Results& results);
 
 /// Structure and memory of a scene; `frames`: and the time of a frame at step 1, if not 0.
-SceneFigures measureFigures(
+SceneMeasurements measureStructure(
   const Scene& scene, const std::string& group, const Size& size, int frames);
 
 /// Says it on the error stream.

@@ -20,7 +20,7 @@ struct SetUp
   double resampling = 0.0;        // part of it: to a grid, before anything is drawn
   double hostBytes = NotMeasured; // what it keeps of the scene
   double deviceBytes = NotMeasured;
-  std::string note; // for the tables: why there is no picture, or what is special
+  std::string note; // for the results: why there is no picture, or what is special
   bool possible = true;
 };
 
@@ -71,12 +71,6 @@ extern const char* const StepScale;
 extern const char* const ErrorTolerance;
 /// The value that a user gets who sets nothing.
 constexpr double DefaultStepScale = 1.0;
-
-// Names that reports look for.
-extern const char* const CellLocation;
-extern const char* const NativeMarch;
-extern const char* const ByTolerance;
-extern const char* const ByToleranceOfAllLevels;
 
 std::vector<MethodKind> listMethods();
 

@@ -7,10 +7,6 @@ namespace benchmarks
 {
 const char* const StepScale = "step scale";
 const char* const ErrorTolerance = "error tolerance";
-const char* const CellLocation = "cell location";
-const char* const ByTolerance = "basis, by tolerance";
-const char* const ByToleranceOfAllLevels = "by tolerance, all levels";
-const char* const NativeMarch = "native march, k-d tree";
 
 std::vector<MethodKind> listMethods()
 {

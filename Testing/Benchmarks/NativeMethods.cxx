@@ -71,8 +71,8 @@ private:
 
 std::vector<MethodKind> listNativeMethods()
 {
-  return { { NativeMarch, Role::Baseline, StepScale, { 2.0, 1.0, 0.5 }, { DefaultStepScale },
-    reference::Reconstruction::Basis,
+  return { { "native march, k-d tree", Role::Baseline, StepScale, { 2.0, 1.0, 0.5 },
+    { DefaultStepScale }, reference::Reconstruction::Basis,
     [](const Scene& scene) { return std::make_unique<NativeMethod>(scene); }, true } };
 }
 }

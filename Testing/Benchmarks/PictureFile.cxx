@@ -15,7 +15,7 @@ namespace exabricks
 {
 namespace benchmarks
 {
-std::string fileNameOf(const std::string& text)
+std::string pictureFileName(const std::string& text)
 {
   std::string name;
   for (const char c : text)
@@ -26,10 +26,8 @@ std::string fileNameOf(const std::string& text)
       name += plain ? c : '_';
     }
   }
-  return name;
+  return name + ".png";
 }
-
-std::string pictureFileName(const std::string& text) { return fileNameOf(text) + ".png"; }
 
 void writePicture(const reference::Image& image, const std::string& folder, const std::string& name)
 {

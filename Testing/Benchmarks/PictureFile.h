@@ -10,8 +10,7 @@ namespace exabricks
 {
 namespace benchmarks
 {
-/// Letters and digits, "_" for all else.
-std::string fileNameOf(const std::string& text);
+/// Letters and digits, "_" for all else, and ".png".
 std::string pictureFileName(const std::string& text);
 /// Over black, PNG.
 void writePicture(

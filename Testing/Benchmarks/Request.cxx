@@ -18,7 +18,8 @@ namespace
 const char* const Description =
   "Measures what vtkExaBricksVolumeMapper takes and how near its pictures come to what they ought\n"
   "to be, beside what else VTK has: scenes x methods x step scales, all methods in turn.\n"
-  "Writes CSV, Markdown tables and PNG charts to a folder. Needs a display (xvfb-run -a).";
+  "Writes CSV to a folder, of which Utilities/report draws tables and charts. Needs a display\n"
+  "(xvfb-run -a).";
 
 const char* const Footer =
   "Examples\n"
@@ -28,8 +29,8 @@ const char* const Footer =
   "    exabricks-benchmark --full --data folder --output results\n"
   "  One's own data, against all that VTK has:\n"
   "    exabricks-benchmark plt00216 --array magvort --output results\n"
-  "  Tables and charts anew:\n"
-  "    exabricks-benchmark --report results\n"
+  "  Tables and charts of it:\n"
+  "    python3 Utilities/report results\n"
   "\n"
   "Exit codes: 0 fine, 1 rendering failed or a bound is broken, 2 bad arguments, 3 input cannot\n"
   "be read, 4 output cannot be written.";
@@ -42,7 +43,7 @@ const char* const Footer =
 // The options as typed, where a value has to be looked at after CLI11 is through.
 struct Texts
 {
-  std::string size, accuracySize, component, opacity, report;
+  std::string size, accuracySize, component, opacity;
   bool quick = false, full = false, list = false, noPeers = false;
   int rounds = 0;
   double budget = 0.0;
@@ -77,9 +78,7 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
       "Times to change colours, opacity and camera and see what that costs [0]")
     ->check(CLI::Range(0, 1000))
     ->group("What");
-  app.add_flag("--structure", request.structure, "Print time and memory by size of bricks")
-    ->group("What");
-  app.add_option("--report", texts.report, "Draw tables and charts of this folder's CSV anew")
+  app.add_flag("--structure", request.structure, "Print time and memory by size of bricks, as CSV")
     ->group("What");
   app.add_flag("--list", texts.list, "Say which scenes and methods there are")->group("What");
 
@@ -142,16 +141,6 @@ void chooseTask(const Texts& texts, Request& request)
   if (texts.list)
   {
     request.task = Request::Task::List;
-    return;
-  }
-  if (!texts.report.empty())
-  {
-    if (measures || !request.folder.empty())
-    {
-      refuse("--report draws what was measured before: it takes a folder and nothing else.");
-    }
-    request.task = Request::Task::Report;
-    request.folder = texts.report;
     return;
   }
   if (!measures)

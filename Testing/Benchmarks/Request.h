@@ -15,8 +15,7 @@ struct Request
   enum class Task
   {
     Measure,
-    Report, // of what lies in the folder
-    List    // scenes and methods
+    List // scenes and methods
   };
   Task task = Task::Measure;
   std::string folder; // of results

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Results.h"
 
-#include "Failure.h"
 #include "Output.h"
 
 #include <filesystem>
@@ -37,28 +36,31 @@ const Column<Result> resultColumns[] = { { "value", &Result::value, 1 },
   { "psnr_rgba_drawn", &Result::psnrRGBADrawn, 1 }, { "rmse_own", &Result::rmseOwn, 1 },
   { "samples", &Result::samples, 1 } };
 
-const Column<SceneFigures> sceneColumns[] = { { "levels", &SceneFigures::levels, 1 },
-  { "blocks", &SceneFigures::blocks, 1 }, { "leaf_cells", &SceneFigures::leafCells, 1 },
-  { "bricks", &SceneFigures::bricks, 1 }, { "regions", &SceneFigures::regions, 1 },
-  { "active_regions", &SceneFigures::activeRegions, 1 },
-  { "structure_s", &SceneFigures::structureTime, 1 }, { "gather_s", &SceneFigures::gatherTime, 1 },
-  { "ranges_s", &SceneFigures::rangesTime, 1 }, { "scalars_mib", &SceneFigures::scalarBytes, MiB },
-  { "bricks_mib", &SceneFigures::brickBytes, MiB },
-  { "regions_device_mib", &SceneFigures::regionBytes, MiB },
-  { "regions_host_mib", &SceneFigures::regionHostBytes, MiB },
-  { "kd_tree_mib", &SceneFigures::kdTreeBytes, MiB },
-  { "acceleration_mib", &SceneFigures::accelerationBytes, MiB },
-  { "surface_mib", &SceneFigures::surfaceBytes, MiB },
-  { "total_kd_tree_mib", &SceneFigures::kdTreeTotal, MiB },
-  { "total_ray_query_mib", &SceneFigures::rayQueryTotal, MiB },
-  { "host_mib", &SceneFigures::hostBytes, MiB },
-  { "frame_kd_tree_ms", &SceneFigures::frameKdTree, Milli },
-  { "frame_ray_query_ms", &SceneFigures::frameRayQuery, Milli },
-  { "frame_by_tolerance_ms", &SceneFigures::frameByTolerance, Milli },
-  { "frame_of_all_levels_ms", &SceneFigures::frameOfAllLevels, Milli },
-  { "levels_left_out", &SceneFigures::levelsLeftOut, 1 },
-  { "truth_s", &SceneFigures::truthTime, 1 }, { "truth_error", &SceneFigures::truthError, 1 },
-  { "mean_opacity", &SceneFigures::meanOpacity, 1 } };
+const Column<SceneMeasurements> sceneColumns[] = { { "levels", &SceneMeasurements::levels, 1 },
+  { "blocks", &SceneMeasurements::blocks, 1 }, { "leaf_cells", &SceneMeasurements::leafCells, 1 },
+  { "bricks", &SceneMeasurements::bricks, 1 }, { "regions", &SceneMeasurements::regions, 1 },
+  { "active_regions", &SceneMeasurements::activeRegions, 1 },
+  { "structure_s", &SceneMeasurements::structureTime, 1 },
+  { "gather_s", &SceneMeasurements::gatherTime, 1 },
+  { "ranges_s", &SceneMeasurements::rangesTime, 1 },
+  { "scalars_mib", &SceneMeasurements::scalarBytes, MiB },
+  { "bricks_mib", &SceneMeasurements::brickBytes, MiB },
+  { "regions_device_mib", &SceneMeasurements::regionBytes, MiB },
+  { "regions_host_mib", &SceneMeasurements::regionHostBytes, MiB },
+  { "kd_tree_mib", &SceneMeasurements::kdTreeBytes, MiB },
+  { "acceleration_mib", &SceneMeasurements::accelerationBytes, MiB },
+  { "surface_mib", &SceneMeasurements::surfaceBytes, MiB },
+  { "total_kd_tree_mib", &SceneMeasurements::kdTreeTotal, MiB },
+  { "total_ray_query_mib", &SceneMeasurements::rayQueryTotal, MiB },
+  { "host_mib", &SceneMeasurements::hostBytes, MiB },
+  { "frame_kd_tree_ms", &SceneMeasurements::frameKdTree, Milli },
+  { "frame_ray_query_ms", &SceneMeasurements::frameRayQuery, Milli },
+  { "frame_by_tolerance_ms", &SceneMeasurements::frameByTolerance, Milli },
+  { "frame_of_all_levels_ms", &SceneMeasurements::frameOfAllLevels, Milli },
+  { "levels_left_out", &SceneMeasurements::levelsLeftOut, 1 },
+  { "truth_s", &SceneMeasurements::truthTime, 1 },
+  { "truth_error", &SceneMeasurements::truthError, 1 },
+  { "mean_opacity", &SceneMeasurements::meanOpacity, 1 } };
 
 template <typename Row, std::size_t Count>
 void addNames(std::vector<std::string>& names, const Column<Row> (&columns)[Count])
@@ -79,16 +81,6 @@ void addNumbers(
   }
 }
 
-template <typename Row, std::size_t Count>
-void takeNumbers(
-  const CsvTable& table, std::size_t i, Row& row, const Column<Row> (&columns)[Count])
-{
-  for (const Column<Row>& column : columns)
-  {
-    row.*column.member = table.number(i, column.name) / column.scale;
-  }
-}
-
 CsvTable toTable(const std::vector<Result>& rows)
 {
   std::vector<std::string> names{ "scene", "method", "role", "parameter", "rounds", "note" };
@@ -104,30 +96,18 @@ CsvTable toTable(const std::vector<Result>& rows)
   return table;
 }
 
-CsvTable toTable(const std::vector<SceneFigures>& rows)
+CsvTable toTable(const std::vector<SceneMeasurements>& rows)
 {
   std::vector<std::string> names{ "scene", "group" };
   addNames(names, sceneColumns);
   CsvTable table(names);
-  for (const SceneFigures& row : rows)
+  for (const SceneMeasurements& row : rows)
   {
     std::vector<std::string> fields{ row.scene, row.group };
     addNumbers(fields, row, sceneColumns);
     table.add(fields);
   }
   return table;
-}
-
-std::vector<SceneFigures> toScenes(const CsvTable& table)
-{
-  std::vector<SceneFigures> rows(table.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    rows[i].scene = table.field(i, "scene");
-    rows[i].group = table.field(i, "group");
-    takeNumbers(table, i, rows[i], sceneColumns);
-  }
-  return rows;
 }
 
 void write(const CsvTable& table, const std::string& folder, const char* name)
@@ -161,49 +141,6 @@ void writeResults(const Results& results, const std::string& folder)
     machine.add({ line.first, line.second });
   }
   write(machine, folder, "machine.csv");
-}
-
-Results readResults(const std::string& folder)
-{
-  const auto read = [&](const char* name)
-  { return CsvTable::read((std::filesystem::path(folder) / name).string()); };
-  const CsvTable table = read("results.csv");
-  std::vector<std::string> expected{ "scene", "method", "role", "parameter", "rounds", "note" };
-  addNames(expected, resultColumns);
-  for (const std::string& column : expected)
-  {
-    if (!table.has(column))
-    {
-      throw render::Failure(render::ExitCode::InputUnreadable,
-        "'" + folder + "' holds no results.csv with a column '" + column +
-          "'. Measure first: exabricks-benchmark --quick --output " + folder);
-    }
-  }
-  Results results;
-  for (std::size_t i = 0; i < table.size(); ++i)
-  {
-    Result row;
-    row.scene = table.field(i, "scene");
-    row.method = table.field(i, "method");
-    const std::string role = table.field(i, "role");
-    row.role = role == nameOf(Role::Ours) ? Role::Ours
-      : role == nameOf(Role::Peer)        ? Role::Peer
-                                          : Role::Baseline;
-    row.parameter = table.field(i, "parameter");
-    row.rounds = static_cast<int>(table.number(i, "rounds"));
-    row.note = table.field(i, "note");
-    takeNumbers(table, i, row, resultColumns);
-    results.rows.push_back(row);
-  }
-  results.scenes = toScenes(read("scenes.csv"));
-  results.growth = toScenes(read("growth.csv"));
-  results.changes = read("changes.csv");
-  const CsvTable machine = read("machine.csv");
-  for (std::size_t i = 0; i < machine.size(); ++i)
-  {
-    results.machine.emplace_back(machine.field(i, "name"), machine.field(i, "value"));
-  }
-  return results;
 }
 }
 }

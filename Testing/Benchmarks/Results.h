@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was measured, as it is written to files and read from them again: the report is drawn from
-// the files alone.
+// What was measured, and the CSV files that it is written to. Utilities/report draws tables and
+// charts from the files alone, and knows their columns.
 #ifndef ExaBricksBenchmarksResults_h
 #define ExaBricksBenchmarksResults_h
 
 #include "Accuracy/CsvTable.h"
 #include "Method.h"
 
-#include <map>
+#include <utility>
 
 namespace exabricks
 {
@@ -45,7 +45,7 @@ struct Result
 constexpr double GrowthTolerance = 0.01;
 
 /// What a scene is cut into, and what that takes.
-struct SceneFigures
+struct SceneMeasurements
 {
   std::string scene;
   std::string group;
@@ -81,19 +81,16 @@ struct SceneFigures
 struct Results
 {
   std::vector<Result> rows;
-  std::vector<SceneFigures> scenes;
-  std::vector<SceneFigures> growth;
+  std::vector<SceneMeasurements> scenes;
+  std::vector<SceneMeasurements> growth;
   accuracy::CsvTable changes;
   std::vector<std::pair<std::string, std::string>> machine; // name, what it is
 };
 
 /// results.csv, scenes.csv, growth.csv, changes.csv, machine.csv: those there is something for.
-/// Whole or not at all.
+/// Whole or not at all. Times are in the units that the columns' names end with.
 void writeResults(const Results& results, const std::string& folder);
-/// Throws if the folder holds none, or what is in it has other columns.
-Results readResults(const std::string& folder);
 
-/// Text of a Role, and back.
 std::string nameOf(Role role);
 }
 }

@@ -12,7 +12,7 @@ namespace stability
 struct Peer
 {
   std::string name;   // on the command line
-  std::string header; // in the table
+  std::string header; // in the log
 };
 
 /// Those that this VTK has.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws every case of stability with ours and with what VTK has, and writes how far each picture is
-// from what it ought to be: stability.csv and stability.md, and what the peers said to peers.log.
+// from what it ought to be: stability.csv, and what the peers said to peers.log.
 //
 //   xvfb-run -a StabilityTable <folder> [<case>...]
 //
@@ -88,32 +88,6 @@ Row measure(Renderers& renderers, const std::string& theme, const Case& test,
       setting.amr ? judgePeer(runPeer(self, peer, test.name, folder), truths) : "no AMR");
   }
   return row;
-}
-
-void writeMarkdown(const std::vector<Row>& rows, const std::string& path)
-{
-  std::ofstream out(path);
-  std::string rule = "\n| --- | --- | --- | --- | --- | --- |";
-  out << "| case | what fails elsewhere | basis k-d | basis ray query | nearest k-d | nearest ray "
-         "query |";
-  for (const Peer& peer : listPeers())
-  {
-    out << " " << peer.header << " |";
-    rule += " --- |";
-  }
-  out << rule << "\n";
-  for (const Row& row : rows)
-  {
-    out << "| " << row.test->name << " | " << row.test->elsewhere << " |";
-    for (const auto& cells : { row.ours, row.peers })
-    {
-      for (const std::string& cell : cells)
-      {
-        out << " " << cell << " |";
-      }
-    }
-    out << "\n";
-  }
 }
 
 void writeCSV(const std::vector<Row>& rows, const std::string& path)
@@ -210,7 +184,6 @@ int main(int argc, char** argv)
         }
         std::cout << std::endl;
         // After each case, for those who stop it.
-        writeMarkdown(rows, words[0] + "/stability.md");
         writeCSV(rows, words[0] + "/stability.csv");
       }
     }
