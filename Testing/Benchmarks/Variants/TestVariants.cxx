@@ -4,7 +4,6 @@
 #include "CellLocation/BrickTree.h"
 #include "Variants.h"
 #include "Vulkan/SceneRenderer.h"
-#include "Vulkan/Traversals.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
