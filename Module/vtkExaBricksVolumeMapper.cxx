@@ -62,6 +62,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   std::set<std::string> ReportedWarnings; // each is reported once
   std::string ReportedFault;              // of the last picture: reported once as long as it stays
+  bool Aborted = false;                   // the window was told to stop in the last picture
   std::string ConfigurationFault;         // empty if the builder has the mapper's input and array
 
   explicit vtkInternals(vtkExaBricksVolumeMapper* self)
@@ -162,9 +163,12 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
   const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
 {
-  // The former one goes first, as completing the levels takes memory.
-  this->Renderer.setVolume({});
   exabricks::Volume volume = bricked->volume;
+  if (!this->Bricked || this->Bricked->volume.structure != volume.structure)
+  {
+    // The former one goes first, as completing the levels takes memory.
+    this->Renderer.setVolume({});
+  }
   const bool completed = this->Self->Reconstruction == COMPLETED;
   if (completed)
   {
@@ -192,14 +196,21 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   const auto makeView = [&](int width, int height)
   {
     exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
-    view.quality.reconstruction = static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
+    view.quality.reconstruction =
+      static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
     view.quality.stepScale = this->Self->StepScale;
     view.quality.errorTolerance = this->Self->ErrorTolerance;
     view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
     view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
     return view;
   };
-  return this->Compositor.draw(this->Self, ren, vol, makeView, this->Renderer);
+  const auto progress = [&](double done)
+  {
+    this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
+    this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
+    return !this->Aborted;
+  };
+  return this->Compositor.draw(this->Self, ren, vol, makeView, this->Renderer, progress);
 }
 
 // Gives back what was held of the former volume.
@@ -433,6 +444,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
+  internals.Aborted = false;
   const auto bricked = internals.GetBrickedVolume(); // an observer may have changed it
   if (!bricked)
   {
@@ -442,6 +454,10 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     internals.ReportFault(*fault);
     internals.Drawn.set(ren, fault->empty());
+  }
+  else if (internals.Aborted)
+  {
+    internals.Drawn.set(ren, false);
   }
   this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);

@@ -5,6 +5,11 @@
 # in EXABRICKS_SPIRV_DIR. What the shader includes (Shaders/Layout.h, Shaders/*.glsl, what lies beside it) is followed
 # through the compiler's depfile.
 
+# Paths in depfiles are those that the compiler was given.
+if (POLICY CMP0116)
+  cmake_policy(SET CMP0116 NEW)
+endif ()
+
 find_program(EXABRICKS_GLSLANG NAMES glslangValidator glslang REQUIRED
   HINTS "$ENV{VULKAN_SDK}/bin"
   DOC "GLSL compiler (Debian: glslang-tools)")

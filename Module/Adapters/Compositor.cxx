@@ -18,7 +18,7 @@ std::string refuse(const Viewport& viewport)
 
 std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren,
   vtkVolume* vol, const std::function<View(int width, int height)>& makeView,
-  VolumeRenderer& renderer)
+  VolumeRenderer& renderer, const VolumeRenderer::Progress& progress)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   if (!window)
@@ -34,7 +34,7 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   View view = makeView(viewport.width, viewport.height);
   if (this->Peel.begin(mapper, vol))
   {
-    return this->DrawPeel(window, viewport, view, renderer);
+    return this->DrawPeel(window, viewport, view, renderer, progress);
   }
   const OpaqueDepth opaque = readDepth(window, viewport, this->Depth);
   if (opaque == OpaqueDepth::Refused)
@@ -43,16 +43,21 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
            "SetMultiSamples(0) of the window";
   }
   view.target.depth = opaque == OpaqueDepth::Read ? this->Depth.data() : nullptr;
-  const std::string fault = renderer.render(view, this->Back);
+  const std::string fault = renderer.render(view, this->Back, progress);
   if (!fault.empty())
   {
     return fault;
   }
+  if (this->Back.empty())
+  {
+    return std::nullopt;
+  }
   return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
 }
 
-std::optional<std::string> Compositor::DrawPeel(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer)
+std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
+  const Viewport& viewport, View view, VolumeRenderer& renderer,
+  const VolumeRenderer::Progress& progress)
 {
   RayPieces back;
   RayPieces front;
@@ -73,7 +78,7 @@ std::optional<std::string> Compositor::DrawPeel(
   {
     view.target.nearDepth = pieces.begin.data();
     view.target.depth = pieces.end.data();
-    return renderer.render(view, pixels);
+    return renderer.render(view, pixels, progress);
   };
   std::string fault;
   if (back.any)
@@ -84,14 +89,19 @@ std::optional<std::string> Compositor::DrawPeel(
   {
     this->Back.assign(back.begin.size(), glm::vec4(0.0f));
   }
+  const bool gaveUp = fault.empty() && this->Back.empty();
   this->Front.clear();
-  if (front.any && fault.empty())
+  if (front.any && fault.empty() && !gaveUp)
   {
     fault = render(front, this->Front);
   }
   if (!fault.empty())
   {
     return fault;
+  }
+  if (gaveUp || (front.any && this->Front.empty()))
+  {
+    return std::nullopt;
   }
   return this->Picture.draw(window, viewport, this->Peel, this->Back, this->Front)
     ? std::string()

@@ -18,17 +18,19 @@ class Compositor
 {
 public:
   /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
-  /// in pixels. Returns an empty string, or what went wrong; none, if it is a
-  /// peel after the first one that has no use for the volume.
+  /// in pixels. Returns an empty string, or what went wrong; none, if nothing is drawn with good
+  /// reason: `progress` gave it up, or it is a peel after the first one that has no use for the
+  /// volume.
   std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
-    const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer);
+    const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer,
+    const VolumeRenderer::Progress& progress);
 
   /// May be called twice, and with a window that is going away.
   void release(vtkWindow* window);
 
 private:
-  std::optional<std::string> DrawPeel(
-    vtkOpenGLRenderWindow* window, const Viewport& viewport, View view, VolumeRenderer& renderer);
+  std::optional<std::string> DrawPeel(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+    View view, VolumeRenderer& renderer, const VolumeRenderer::Progress& progress);
 
   OpenGLPicture Picture;
   DepthPeel Peel;

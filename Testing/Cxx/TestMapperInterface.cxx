@@ -121,6 +121,26 @@ int TestMapperInterface(int, char*[])
   stage.window->SetAbortRender(0);
   checks.Expect(!mapper->GetDrawn(), "not drawn: aborted");
 
+  // Progress is told between the pieces of a picture, and whoever hears it may abort there.
+  vtkNew<vtkCallbackCommand> abortAtFirst;
+  abortAtFirst->SetCallback(
+    [](vtkObject*, unsigned long, void* window, void* done)
+    {
+      if (*static_cast<double*>(done) > 0.0)
+      {
+        static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
+      }
+    });
+  abortAtFirst->SetClientData(stage.window);
+  const unsigned long tag =
+    mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, abortAtFirst);
+  mapper->Render(stage.renderer, stage.volume);
+  checks.Expect(stage.window->GetAbortRender() != 0, "progress was told");
+  checks.Expect(!mapper->GetDrawn(), "not drawn: aborted on its way");
+  mapper->RemoveObserver(tag);
+  stage.window->SetAbortRender(0);
+  checks.Equal(test::Picture(stage.window).Difference(still), 0.0, "drawn again after an abort");
+
   // Whether the volume is in the last picture, also where VTK does not call the mapper for it.
   test::Picture(stage.window);
   checks.Expect(mapper->GetDrawn(), "drawn");
