@@ -4,7 +4,7 @@
 
     python3 Utilities/report <folder> [<page>]
 
-<folder> holds what exabricks-benchmark --output wrote, or the accuracy programs (.ci/accuracy). Without a page all
+<folder> holds what exabricks-benchmark --output wrote, or the accuracy programs (Utilities/accuracy). Without a page all
 there is to draw goes to <folder>, with report.md, which shows it. With a page (Documentation/Evaluation.md) its tables
 are put in anew, between the lines <!-- table: NAME --> and <!-- end -->, and its charts and the CSV files go into the
 folder of its name beside it (Documentation/Evaluation).
@@ -88,7 +88,7 @@ def main():
         import matplotlib  # noqa: F401, to say what is missing
         import pandas  # noqa: F401
     except ImportError as error:
-        sys.exit(f"report: {error}. Install Debian's python3-pandas and python3-matplotlib (.ci/setup evaluation).")
+        sys.exit(f"report: {error}. Install Debian's python3-pandas and python3-matplotlib (Utilities/setup evaluation).")
     from page import InputError
     try:
         report(*map(pathlib.Path, arguments))
