@@ -10,20 +10,17 @@ struct Pixel
   double skip; // from the beginning of the segment to that of the local frame, half cells
 };
 
-// Before the first segment, and without a frame.
-void startRay(uvec2 place, out Pixel pixel, out Ray ray)
+// Whether there may be more of the ray behind `distance`. Where there is one segment alone, the
+// compiler knows that its end is that of the ray.
+bool goesOn(Pixel pixel, Ray ray, float distance)
 {
-  pixel.place = place;
-  pixel.segment = -1;
-  pixel.skip = 0.0LF;
-  ray.begin = 0.0;
-  ray.end = 0.0;
+  return distance < ray.end || (SEGMENTS > 1 && pixel.segment + 1 < SEGMENTS);
 }
 
-// Whether the ray, as it is now, goes no further than this.
+// Whether it takes another frame to go on.
 bool isUsedUp(Ray ray, float distance)
 {
-  return !(distance < ray.end) || distance > REBASE_DISTANCE;
+  return distance > REBASE_DISTANCE || (SEGMENTS > 1 && !(distance < ray.end));
 }
 
 // What comes behind `distance`, at which the ray is used up. Distances count anew from there, and
@@ -44,4 +41,15 @@ bool advance(FrameBuffer f, inout Pixel pixel, inout Ray ray, float distance)
     pixel.skip = 0.0LF;
   }
   return false;
+}
+
+// The pixel's ray from its beginning on. False: there is nothing of it.
+bool startRay(FrameBuffer f, uvec2 place, out Pixel pixel, out Ray ray)
+{
+  pixel.place = place;
+  pixel.segment = -1;
+  pixel.skip = 0.0LF;
+  ray.begin = 0.0;
+  ray.end = 0.0;
+  return advance(f, pixel, ray, 0.0);
 }

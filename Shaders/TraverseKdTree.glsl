@@ -45,13 +45,16 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
   KdNodes nodes = KdNodes(f.frame.nodes);
   Pixel pixel;
   Ray ray;
-  startRay(place, pixel, ray);
+  if (!startRay(f, place, pixel, ray))
+  {
+    return;
+  }
   Cursor cursor = startCursor();
-  float exit = 0.0;
+  float exit = ray.begin;
   Pending pending = Pending(uvec4(0), vec4(0.0));
   while (true)
   {
-    while (cursor.intervals == 0)
+    while (cursor.intervals == 0 && goesOn(pixel, ray, exit))
     {
       if (isUsedUp(ray, exit))
       {

@@ -21,10 +21,13 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
   ActiveBoxes boxes = ActiveBoxes(f.frame.activeBoxes);
   Pixel pixel;
   Ray ray;
-  startRay(place, pixel, ray);
+  if (!startRay(f, place, pixel, ray))
+  {
+    return;
+  }
   Cursor cursor = startCursor();
-  float distance = 0.0;
-  while (true)
+  float distance = ray.begin;
+  while (goesOn(pixel, ray, distance))
   {
     if (isUsedUp(ray, distance))
     {
