@@ -7,7 +7,7 @@ struct Pixel
 {
   uvec2 place;
   int segment; // that the ray is in; -1: before the first
-  double skip; // from the beginning of the segment to that of the local frame, half cells
+  Pair skip;   // from the beginning of the segment to that of the local frame, half cells
 };
 
 // Whether there may be more of the ray behind `distance`. Where there is one segment alone, the
@@ -29,16 +29,23 @@ bool advance(FrameBuffer f, inout Pixel pixel, inout Ray ray, float distance)
 {
   const bool sameSegment = distance < ray.end;
   pixel.segment += sameSegment ? 0 : 1;
-  pixel.skip = sameSegment ? pixel.skip + double(beforeRounding(distance)) : 0.0LF;
+  if (sameSegment)
+  {
+    pixel.skip = add(pixel.skip, makePair(beforeRounding(distance)));
+  }
+  else
+  {
+    pixel.skip = makePair(0.0);
+  }
   for (; pixel.segment < SEGMENTS; ++pixel.segment)
   {
     Segment segment;
     if (findSegment(f, pixel.place, pixel.segment, segment) &&
-      makeRay(segment.line, segment.begin + pixel.skip, segment.end, f.frame.size, ray))
+      makeRay(segment.line, add(segment.begin, pixel.skip), segment.end, f.frame.size, ray))
     {
       return true;
     }
-    pixel.skip = 0.0LF;
+    pixel.skip = makePair(0.0);
   }
   return false;
 }
@@ -48,7 +55,7 @@ bool startRay(FrameBuffer f, uvec2 place, out Pixel pixel, out Ray ray)
 {
   pixel.place = place;
   pixel.segment = -1;
-  pixel.skip = 0.0LF;
+  pixel.skip = makePair(0.0);
   ray.begin = 0.0;
   ray.end = 0.0;
   return advance(f, pixel, ray, 0.0);

@@ -2,7 +2,7 @@
 // How the shaders reach the buffers of Layout.h: by device address, so that they may be of any size.
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_buffer_reference_uvec2 : require
 
 #include "Layout.h"
 
@@ -12,7 +12,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Act
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices { uint items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdNodes { KdNode items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Values { float items[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TransferBins { uint64_t words[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TransferBins { TransferBin items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 

@@ -1,43 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a pixel to the line that is seen through it, in half cells and in double precision: cameras
-// may be far away, and lattices large.
+// From a pixel to the line that is seen through it, in half cells and in pairs of floats: cameras
+// may be far away, and lattices large. The host has chosen two depths that bracket the data's
+// bounds: between them no coordinate is larger than it need be, wherever the camera is.
+#include "FloatPair.glsl"
 
 struct Line
 {
-  dvec3 origin;
-  dvec3 direction; // of length 1
-  double extent;   // from the one window depth to the other
+  Pair3 origin;    // at the first of these depths
+  Pair3 direction; // of length 1
+  Pair extent;     // to the second one
+  Pair firstW;     // homogeneous coordinate at the first one, and what the second one has more
+  Pair moreW;
   float dataPerHalfCell; // length of a step of length 1 in the data's coordinates
 };
 
-// Of a window depth in [0, 1], as a depth buffer holds it, in normalised device coordinates.
-double ndcDepth(Values depth, uvec2 pixel, uint width)
-{
-  return 2.0LF * double(depth.items[pixel.y * width + pixel.x]) - 1.0LF;
-}
+Pair w(Pair4 a) { return Pair(a.high.w, a.low.w); }
 
-// The line between two depths in normalised device coordinates, from `near` on. False: it has no
-// length.
-bool findLine(FrameBuffer f, uvec2 pixel, double near, double far, out Line line)
+// The line of a pixel. False: it has no length.
+bool findLine(FrameBuffer f, uvec2 pixel, out Line line)
 {
-  const dvec2 ndc = 2.0LF * (dvec2(pixel) + 0.5LF) / dvec2(f.frame.width, f.frame.height) - 1.0LF;
-  const dvec4 a = f.frame.ndcToHalfCells * dvec4(ndc, near, 1.0LF);
-  const dvec4 b = f.frame.ndcToHalfCells * dvec4(ndc, far, 1.0LF);
-  const dvec4 dataA = f.frame.ndcToData * dvec4(ndc, near, 1.0LF);
-  const dvec4 dataB = f.frame.ndcToData * dvec4(ndc, far, 1.0LF);
-  line.origin = a.xyz / a.w;
-  const dvec3 path = b.xyz / b.w - line.origin;
-  line.extent = length(path);
-  if (!(line.extent > 0.0LF) || isinf(line.extent))
+  // From the middle of the picture: a number of halves of pixels, exactly.
+  const vec2 at = vec2(pixel) + 0.5 - 0.5 * vec2(f.frame.width, f.frame.height);
+  Pair4 first = f.frame.first;
+  first = add(first, multiply(f.frame.perColumn,
+    Pair4(vec4(at.x), vec4(0.0))));
+  first = add(first, multiply(f.frame.perRow,
+    Pair4(vec4(at.y), vec4(0.0))));
+  const Pair4 more = f.frame.toSecond;
+  const Pair4 second = add(first, more);
+  line.firstW = w(first);
+  line.moreW = w(more);
+  line.origin = divide(xyz(first), line.firstW);
+  const Pair3 path = add(divide(xyz(second), w(second)), negative(line.origin));
+  line.extent = lengthOf(path);
+  if (!(line.extent.high > 0.0) || isinf(line.extent.high))
   {
     return false;
   }
-  const dvec3 direction = path / line.extent;
+  line.direction = divide(path, line.extent);
   // No component is 0, so that every distance is finite.
-  line.direction =
-    mix(direction, mix(dvec3(-1e-12LF), dvec3(1e-12LF), greaterThanEqual(direction, dvec3(0.0LF))),
-      lessThan(abs(direction), dvec3(1e-12LF)));
-  line.dataPerHalfCell =
-    float(length(dataB.xyz / dataB.w - dataA.xyz / dataA.w) / line.extent);
+  const bvec3 none = lessThan(abs(line.direction.high), vec3(1e-12));
+  line.direction.high = mix(line.direction.high,
+    mix(vec3(-1e-12), vec3(1e-12), greaterThanEqual(line.direction.high, vec3(0.0))), none);
+  line.direction.low = mix(line.direction.low, vec3(0.0), none);
+  line.dataPerHalfCell = length(
+    f.frame.halfCellsToDataX * line.direction.high.x + f.frame.halfCellsToDataY * line.direction.high.y +
+    f.frame.halfCellsToDataZ * line.direction.high.z);
   return true;
+}
+
+// The distance along the line of a window depth in [0, 1], as a depth buffer holds it. Points on a
+// line divide it by their homogeneous coordinates.
+Pair distanceAt(FrameBuffer f, Line line, float depth)
+{
+  const Pair ndc = makePair(2.0 * depth, -1.0);
+  const Pair share = multiply(add(ndc, negative(f.frame.firstDepth)),
+    f.frame.inverseDepths);
+  const Pair secondW = add(line.firstW, line.moreW);
+  const Pair part = divide(multiply(share, secondW), add(line.firstW, multiply(share, line.moreW)));
+  return multiply(part, line.extent);
 }

@@ -9,24 +9,38 @@
 #define EXABRICKS_LAYOUT_H
 
 #ifdef __cplusplus
+#include <cstddef>
 #include <cstdint>
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 namespace exabricks
 {
 namespace layout
 {
-using glm::dmat4;
 using glm::ivec3;
 using glm::ivec4;
+using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
-using uint64_t = std::uint64_t;
+using DeviceAddress = std::uint64_t;
 #define EXABRICKS_CONST static constexpr
 #else
+// Half of the devices have no integers of 64 bits. Structures hold addresses at multiples of 8.
+#define DeviceAddress uvec2
 #define EXABRICKS_CONST const
 #endif
+
+// A number as the sum of two floats, see FloatPair.glsl.
+struct Pair
+{
+  float high;
+  float low;
+};
+struct Pair4
+{
+  vec4 high;
+  vec4 low;
+};
 
 // How the field is reconstructed between cell centres: a specialization constant.
 EXABRICKS_CONST uint RECONSTRUCTION_BASIS = 0u;
@@ -39,7 +53,8 @@ struct Brick
   ivec3 lo;        // lower corner, half cells
   int width;       // of a cell, in finest cells
   uint dimensions; // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
-  uint64_t values; // device address of the first value; x runs fastest
+  uint unused;
+  DeviceAddress values; // of the first one; x runs fastest
 };
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
 
@@ -96,9 +111,8 @@ struct TransferBin
   vec4 upper;
   ivec4 integral;
   int opaque;
-  int unused; // shaders read it as TRANSFER_BIN_WORDS words of 64 bits: half the loads
+  int unused;
 };
-EXABRICKS_CONST uint TRANSFER_BIN_WORDS = 7u;
 struct TransferKnot
 {
   vec4 lower; // at its value, and at that of the next knot: they differ at jumps
@@ -111,10 +125,19 @@ struct TransferKnot
 // One picture.
 struct Frame
 {
-  dmat4 ndcToHalfCells; // normalised device coordinates to half cells
-  dmat4 ndcToData;      // normalised device coordinates to the data's own
-  ivec3 size;           // of the bounds, half cells
-  uint width;           // pixels
+  // Homogeneous half cells of a pixel, from the picture's middle on, at the first of two depths
+  // that bracket the bounds, and what to add for the second one.
+  Pair4 first;
+  Pair4 perColumn;
+  Pair4 perRow;
+  Pair4 toSecond;
+  Pair firstDepth;       // in normalised device coordinates
+  Pair inverseDepths;    // 1 / (second - first)
+  vec3 halfCellsToDataX; // columns of the linear map from half cells to the data's coordinates
+  vec3 halfCellsToDataY;
+  vec3 halfCellsToDataZ;
+  ivec3 size; // of the bounds, half cells
+  uint width; // pixels
   uint height;
   float stepScale;             // of the boxes' steps
   float transmittanceExponent; // steps grow with transmittance to the power of minus this
@@ -122,32 +145,33 @@ struct Frame
   float terminationOpacity;    // a ray ends at this opacity
   float integralUnit;          // of the transfer function's integrals
   uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
-  uint64_t bricks;             // device addresses of Brick[], uint[], KdNode[], ...
-  uint64_t brickLists;
-  uint64_t nodes;
-  uint64_t activeBoxes; // ActiveBox[]: of the acceleration structure
-  uint64_t transferBins;
-  uint64_t transferKnots;
-  uint64_t depth;     // float[height][width], window depth in [0, 1] at which rays end
-  uint64_t nearDepth; // the same, at which they begin
-  uint64_t picture;   // vec4[height][width], premultiplied, row 0 at the bottom
-  uint64_t scene;     // acceleration structure
+  DeviceAddress bricks;        // Brick[], uint[], KdNode[], ...
+  DeviceAddress brickLists;
+  DeviceAddress nodes;
+  DeviceAddress activeBoxes; // ActiveBox[]: of the acceleration structure
+  DeviceAddress transferBins;
+  DeviceAddress transferKnots;
+  DeviceAddress depth;     // float[height][width], window depth in [0, 1] at which rays end
+  DeviceAddress nearDepth; // the same, at which they begin
+  DeviceAddress picture;   // vec4[height][width], premultiplied, row 0 at the bottom
+  DeviceAddress scene;     // acceleration structure
 };
 
 // What one dispatch marches: some rows of a picture.
 struct Band
 {
-  uint64_t frame;   // device address of the Frame
-  uint64_t counter; // of a uint: the next pixel, in the order of tiles, where they are taken by it
+  DeviceAddress frame; // device address of the Frame
+  DeviceAddress
+    counter; // of a uint: the next pixel, in the order of tiles, where they are taken by it
   uint firstRow;
 };
 
 // How much two pictures differ: what one dispatch of Difference.comp finds out.
 struct Comparison
 {
-  uint64_t first; // device addresses of vec4[pixels]
-  uint64_t second;
-  uint64_t result; // of a PictureDifference
+  DeviceAddress first; // device addresses of vec4[pixels]
+  DeviceAddress second;
+  DeviceAddress result; // of a PictureDifference
   uint pixels;
 };
 struct PictureDifference
@@ -162,9 +186,10 @@ static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
-static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
+static_assert(sizeof(TransferBin) == 56, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 384, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 304 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+static_assert(offsetof(Brick, values) == 24, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

@@ -40,14 +40,16 @@ float behindFace(float distance)
   return distance + max(5e-4, 5e-7 * distance);
 }
 
-// The part of the line between two distances, `begin` in the bounds, seen from a base there. False:
-// nothing of it is left in the bounds.
-bool makeRay(Line line, double begin, double end, ivec3 size, out Ray ray)
+// The part of the line between two distances, seen from a base at `begin`. False: nothing of it is
+// in the bounds.
+bool makeRay(Line line, Pair begin, Pair end, ivec3 size, out Ray ray)
 {
-  const dvec3 position = line.origin + begin * line.direction;
-  ray.base = ivec3(floor(position));
-  ray.fraction = vec3(position - dvec3(ray.base));
-  ray.direction = vec3(line.direction);
+  const Pair3 position = add(line.origin, multiply(line.direction, begin));
+  const vec3 whole = floor(position.high);
+  const vec3 rest = (position.high - whole) + position.low;
+  ray.base = ivec3(whole) + ivec3(floor(rest));
+  ray.fraction = rest - floor(rest);
+  ray.direction = line.direction.high;
   ray.inverse = 1.0 / ray.direction;
   // By the one formula too, so that the first and last regions get the same bits however found.
   const vec3 low = vec3(planeDistance(ray, 0, 0), planeDistance(ray, 0, 1), planeDistance(ray, 0, 2));
@@ -56,7 +58,7 @@ bool makeRay(Line line, double begin, double end, ivec3 size, out Ray ray)
   const vec3 enter = min(low, high);
   const vec3 leave = max(low, high);
   ray.begin = max(0.0, max(enter.x, max(enter.y, enter.z)));
-  ray.end = min(float(end - begin), min(leave.x, min(leave.y, leave.z)));
+  ray.end = min(add(end, negative(begin)).high, min(leave.x, min(leave.y, leave.z)));
   ray.dataPerHalfCell = line.dataPerHalfCell;
   return ray.begin < ray.end;
 }

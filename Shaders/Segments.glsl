@@ -8,38 +8,50 @@ const int SEGMENTS = 1; // the most that a ray may have
 struct Segment
 {
   Line line;
-  double begin; // distance from the line's origin, in the bounds
+  Pair begin; // distance from the line's origin, in the bounds or a little before
   // Where it ends for another reason than that it leaves the bounds: their faces are found again in
   // the ray's local frame, by the one formula for all planes.
-  double end;
+  Pair end;
 };
 
 // The segment of that number. False: there is nothing of it.
 bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
 {
-  double near = -1.0LF;
+  const uint place = pixel.y * f.frame.width + pixel.x;
+  float near = 0.0;
   if (beginsAtDepth)
   {
-    near = ndcDepth(Values(f.frame.nearDepth), pixel, f.frame.width);
+    near = Values(f.frame.nearDepth).items[place];
   }
-  double far = 1.0LF;
+  float far = 1.0;
   if (f.frame.hasDepth != 0)
   {
-    far = ndcDepth(Values(f.frame.depth), pixel, f.frame.width);
+    far = Values(f.frame.depth).items[place];
   }
-  if (beginsAtDepth && !(near < far))
+  if ((beginsAtDepth && !(near < far)) || !findLine(f, pixel, segment.line))
   {
     return false;
   }
-  if (!findLine(f, pixel, near, far, segment.line))
-  {
-    return false;
-  }
-  const dvec3 toLower = -segment.line.origin / segment.line.direction;
-  const dvec3 toUpper = (dvec3(f.frame.size) - segment.line.origin) / segment.line.direction;
-  const dvec3 entries = min(toLower, toUpper);
-  const dvec3 exits = max(toLower, toUpper);
-  segment.begin = max(0.0LF, max(entries.x, max(entries.y, entries.z)));
   segment.end = segment.line.extent;
-  return segment.begin < min(segment.end, min(exits.x, min(exits.y, exits.z)));
+  if (f.frame.hasDepth != 0)
+  {
+    segment.end = distanceAt(f, segment.line, far);
+  }
+  // The bounds' faces by floats, which miss them by some units in the last place of coordinates: a
+  // segment begins as much before them.
+  const vec3 origin = segment.line.origin.high;
+  const vec3 direction = segment.line.direction.high;
+  const vec3 toLower = -origin / direction;
+  const vec3 toUpper = (vec3(f.frame.size) - origin) / direction;
+  const vec3 slack = 3e-7 * (abs(origin) + vec3(f.frame.size)) / abs(direction);
+  const vec3 entries = min(toLower, toUpper) - slack;
+  const vec3 exits = max(toLower, toUpper) + slack;
+  const float entry = max(entries.x, max(entries.y, entries.z));
+  const float exit = min(exits.x, min(exits.y, exits.z));
+  segment.begin = makePair(max(entry, 0.0));
+  if (beginsAtDepth)
+  {
+    segment.begin = greater(segment.begin, distanceAt(f, segment.line, near));
+  }
+  return segment.begin.high <= exit && isLess(segment.begin, segment.end);
 }

@@ -14,26 +14,12 @@ struct TransferPart
   int opaque;
 };
 
-vec2 unpack(uint64_t word) { return uintBitsToFloat(unpackUint2x32(word)); }
-
-TransferBin readBin(uint i)
-{
-  const uint at = TRANSFER_BIN_WORDS * i;
-  TransferBin bin;
-  bin.lower = vec4(unpack(transferBins.words[at]), unpack(transferBins.words[at + 1u]));
-  bin.upper = vec4(unpack(transferBins.words[at + 2u]), unpack(transferBins.words[at + 3u]));
-  bin.integral =
-    ivec4(unpackUint2x32(transferBins.words[at + 4u]), unpackUint2x32(transferBins.words[at + 5u]));
-  bin.opaque = int(transferBins.words[at + 6u]);
-  return bin;
-}
-
 TransferPart findPart(float value)
 {
   const float x = clamp(value, 0.0, 1.0) * float(TRANSFER_BINS);
   const float whole = min(floor(x), float(TRANSFER_BINS - 1));
   const uint i = min(toIndex(whole), uint(TRANSFER_BINS - 1)); // a NaN too is some bin's
-  const TransferBin bin = readBin(i);
+  const TransferBin bin = transferBins.items[i];
   if (bin.lower.a >= 0.0)
   {
     return TransferPart(int(i), x - whole, 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,

@@ -81,8 +81,8 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, in
   View view;
   view.target.width = width;
   view.target.height = height;
-  view.camera.ndcToData = worldToData * glm::inverse(findProjection(ren));
-  view.camera.ndcToHalfCells = dataToHalfCells * view.camera.ndcToData;
+  view.camera.ndcToHalfCells = dataToHalfCells * worldToData * glm::inverse(findProjection(ren));
+  view.camera.halfCellsToData = glm::dmat3(glm::scale(glm::dmat4(1.0), 0.5 * bricked.spacing));
 
   vtkWindow* window = ren->GetVTKWindow();
   int tiles[2] = { 1, 1 };
@@ -110,8 +110,7 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, in
       whole.width = static_cast<int>(std::lround((viewport[2] - viewport[0]) * size[0]));
       whole.height = static_cast<int>(std::lround((viewport[3] - viewport[1]) * size[1]));
     }
-    whole.camera.ndcToData = worldToData * ndcToWorld;
-    whole.camera.ndcToHalfCells = dataToHalfCells * whole.camera.ndcToData;
+    whole.camera.ndcToHalfCells = dataToHalfCells * worldToData * ndcToWorld;
     view.target.whole = whole;
   }
   return view;

@@ -36,7 +36,7 @@ struct KnownSampling
       this->view.target.height == other.target.height &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
       Alike(this->view.camera.ndcToHalfCells, other.camera.ndcToHalfCells, allowed) &&
-      Alike(this->view.camera.ndcToData, other.camera.ndcToData, allowed) &&
+      this->view.camera.halfCellsToData == other.camera.halfCellsToData &&
       this->depth.empty() == !other.target.depth &&
       (!other.target.depth ||
         std::equal(this->depth.begin(), this->depth.end(), other.target.depth));

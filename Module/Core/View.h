@@ -3,6 +3,7 @@
 #ifndef ExaBricksCoreView_h
 #define ExaBricksCoreView_h
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <optional>
 
@@ -18,8 +19,8 @@ enum class Reconstruction
 /// Where the picture is seen from: a projective map, z of normalised device coordinates in [-1, 1].
 struct Camera
 {
-  glm::dmat4 ndcToHalfCells{ 1.0 }; // to half cells from the lower corner of the data's bounds
-  glm::dmat4 ndcToData{ 1.0 };      // to the data's own coordinates
+  glm::dmat4 ndcToHalfCells{ 1.0 };  // to half cells from the lower corner of the data's bounds
+  glm::dmat3 halfCellsToData{ 1.0 }; // linear, to the data's own coordinates
 };
 
 /// The picture, row 0 at the bottom.
@@ -72,7 +73,7 @@ struct View
 inline bool samePicture(const View& a, const View& b)
 {
   return a.camera.ndcToHalfCells == b.camera.ndcToHalfCells &&
-    a.camera.ndcToData == b.camera.ndcToData && a.target.width == b.target.width &&
+    a.camera.halfCellsToData == b.camera.halfCellsToData && a.target.width == b.target.width &&
     a.target.height == b.target.height && a.quality.reconstruction == b.quality.reconstruction &&
     a.quality.stepScale == b.quality.stepScale &&
     a.quality.errorTolerance == b.quality.errorTolerance &&

@@ -91,12 +91,9 @@ std::string lacks(const vk::raii::PhysicalDevice& device)
   }
   const auto features =
     device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
-  const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
   const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
   return !v12.bufferDeviceAddress ? "bufferDeviceAddress"
     : !v12.scalarBlockLayout      ? "scalarBlockLayout"
-    : !core.shaderInt64           ? "shaderInt64"
-    : !core.shaderFloat64         ? "shaderFloat64"
     : !findComputeQueue(device)   ? "a queue for compute"
                                   : "";
 }
@@ -185,8 +182,7 @@ std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const s
   if (best == devices.size())
   {
     const std::string expected = wanted.empty()
-      ? "expected a Vulkan 1.2 device with bufferDeviceAddress, scalarBlockLayout, shaderInt64 and "
-        "shaderFloat64"
+      ? "expected a Vulkan 1.2 device with bufferDeviceAddress and scalarBlockLayout"
       : "expected a usable Vulkan device with '" + wanted + "' as its index or in its name";
     throw Failure(expected + ", found " + describe(devices) +
       ". Choose another one by the property Device or EXABRICKS_DEVICE, or install a driver "
@@ -269,7 +265,6 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
     vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceRayQueryFeaturesKHR,
     vk::PhysicalDeviceAccelerationStructureFeaturesKHR>
     chain;
-  chain.get<vk::PhysicalDeviceFeatures2>().features.setShaderInt64(true).setShaderFloat64(true);
   chain.get<vk::PhysicalDeviceVulkan12Features>().setBufferDeviceAddress(true).setScalarBlockLayout(
     true);
   if (this->RayQuery)

@@ -1,14 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/MarchPass.h"
 
+#include <algorithm>
+#include <glm/matrix.hpp>
+
 namespace exabricks
 {
 namespace vulkan
 {
+namespace
+{
+layout::Pair makePair(double value)
+{
+  const float high = static_cast<float>(value);
+  return { high, static_cast<float>(value - high) };
+}
+
+layout::Pair4 makePair(const glm::dvec4& value)
+{
+  const glm::vec4 high(value);
+  return { high, glm::vec4(value - glm::dvec4(high)) };
+}
+
+struct Depths
+{
+  double first = -1.0;
+  double second = 1.0;
+};
+
+// Two depths, in normalised device coordinates, that bracket bounds of this size: those of the near
+// and the far plane, or nearer ones where all of the bounds is before the eye.
+Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
+{
+  const glm::dmat4 toNdc = glm::inverse(ndcToHalfCells);
+  const double before = ndcToHalfCells[3].w; // its sign is that of all that is before the eye
+  Depths depths{ 1.0, -1.0 };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 place(
+      corner & 1 ? size.x : 0.0, corner & 2 ? size.y : 0.0, corner & 4 ? size.z : 0.0);
+    const glm::dvec4 seen = toNdc * glm::dvec4(place, 1.0);
+    const double depth = seen.z / seen.w;
+    if (!(before * seen.w > 0.0) || !(depth > -1e6 && depth < 1e6))
+    {
+      return {};
+    }
+    depths.first = std::min(depths.first, depth);
+    depths.second = std::max(depths.second, depth);
+  }
+  // Depths that are closer together than this are not told apart well enough.
+  const double slack = 0.01 * std::max(depths.second - depths.first, 1e-6);
+  depths.first = std::max(depths.first - slack, -1.0);
+  depths.second = std::min(depths.second + slack, 1.0);
+  // Where nothing of the bounds is between the planes, any depths do.
+  return depths.first < depths.second ? depths : Depths();
+}
+}
+
 void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalfCells)
 {
-  frame.ndcToHalfCells = fromHalfCells * view.camera.ndcToHalfCells;
-  frame.ndcToData = view.camera.ndcToData;
+  const glm::dmat4 ndcToHalfCells = fromHalfCells * view.camera.ndcToHalfCells;
+  const Depths depths = findDepths(ndcToHalfCells, glm::dvec3(frame.size));
+  const glm::dvec4 middle = ndcToHalfCells * glm::dvec4(0.0, 0.0, depths.first, 1.0);
+  // Homogeneous coordinates may be of any size: these are about 1.
+  const double scale = 1.0 / middle.w;
+  frame.first = makePair(scale * middle);
+  frame.perColumn = makePair(ndcToHalfCells[0] * (scale * 2.0 / view.target.width));
+  frame.perRow = makePair(ndcToHalfCells[1] * (scale * 2.0 / view.target.height));
+  frame.toSecond = makePair(ndcToHalfCells[2] * (scale * (depths.second - depths.first)));
+  frame.firstDepth = makePair(depths.first);
+  frame.inverseDepths = makePair(1.0 / (depths.second - depths.first));
+  const glm::dmat3 toData = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells));
+  frame.halfCellsToDataX = toData[0];
+  frame.halfCellsToDataY = toData[1];
+  frame.halfCellsToDataZ = toData[2];
   frame.width = static_cast<std::uint32_t>(view.target.width);
   frame.height = static_cast<std::uint32_t>(view.target.height);
   frame.stepScale = static_cast<float>(view.quality.stepScale);

@@ -157,7 +157,6 @@ void measureChanges(const Scene& scene, const Size& size, int rounds, accuracy::
   const glm::dmat4 roll =
     glm::rotate(glm::dmat4(1.0), glm::radians(5.0), glm::dvec3(0.0, 0.0, 1.0));
   turned.camera.ndcToHalfCells = view.camera.ndcToHalfCells * roll;
-  turned.camera.ndcToData = view.camera.ndcToData * roll;
   for (const Traverser& traverser : traversers)
   {
     Change change;

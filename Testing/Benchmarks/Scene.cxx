@@ -95,7 +95,8 @@ View Scene::view(const Size& size, Reconstruction reconstruction) const
   toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure().tree.bounds.lo));
   View view;
   view.camera.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-  view.camera.ndcToData = from.ndcToWorld;
+  const glm::dvec3 half = 0.5 * this->Made.hierarchy.spacing;
+  view.camera.halfCellsToData = { half.x, 0.0, 0.0, 0.0, half.y, 0.0, 0.0, 0.0, half.z };
   view.target.width = size[0];
   view.target.height = size[1];
   view.quality.reconstruction = reconstruction;

@@ -101,7 +101,6 @@ TEST(DrawsParts, WithTheLevelsAndStepsOfTheWhole)
                    glm::dmat4(1.0), glm::dvec3(tile % 2 ? 0.5 : -0.5, tile / 2 ? 0.5 : -0.5, 0.0)),
         glm::dvec3(0.5, 0.5, 1.0));
     view.camera.ndcToHalfCells = whole.camera.ndcToHalfCells * part;
-    view.camera.ndcToData = whole.camera.ndcToData * part;
     // Rounding, as each tile has a camera of its own.
     view.target.whole->camera.ndcToHalfCells = view.camera.ndcToHalfCells * glm::inverse(part);
     const Pixels pixels = render(other, view);

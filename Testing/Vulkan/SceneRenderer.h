@@ -54,7 +54,8 @@ struct SceneRenderer
     glm::dmat4 toHalfCells = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
     toHalfCells = glm::translate(toHalfCells, -glm::dvec3(this->structure.tree.bounds.lo));
     view.camera.ndcToHalfCells = toHalfCells * from.ndcToLogical;
-    view.camera.ndcToData = from.ndcToWorld;
+    view.camera.halfCellsToData =
+      glm::dmat3(from.ndcToWorld * glm::inverse(view.camera.ndcToHalfCells));
     view.target.width = from.width;
     view.target.height = from.height;
     view.target.depth = from.depth.empty() ? nullptr : from.depth.data();

@@ -47,8 +47,6 @@ inline bool makeRay(const View& view, const glm::ivec3& size, int x, int y, doub
   }
   const glm::dvec4 a = view.camera.ndcToHalfCells * glm::dvec4(ndc, -1.0, 1.0);
   const glm::dvec4 b = view.camera.ndcToHalfCells * glm::dvec4(ndc, far, 1.0);
-  const glm::dvec4 dataA = view.camera.ndcToData * glm::dvec4(ndc, -1.0, 1.0);
-  const glm::dvec4 dataB = view.camera.ndcToData * glm::dvec4(ndc, far, 1.0);
   const glm::dvec3 origin = glm::dvec3(a) / a.w;
   const glm::dvec3 path = glm::dvec3(b) / b.w - origin;
   const double pathLength = glm::length(path);
@@ -94,8 +92,7 @@ inline bool makeRay(const View& view, const glm::ivec3& size, int x, int y, doub
     ray.begin = std::max(ray.begin, std::min(low, high));
     ray.end = std::min(ray.end, std::max(low, high));
   }
-  const glm::dvec3 world = glm::dvec3(dataB) / dataB.w - glm::dvec3(dataA) / dataA.w;
-  ray.dataPerHalfCell = static_cast<float>(glm::length(world) / pathLength);
+  ray.dataPerHalfCell = static_cast<float>(glm::length(view.camera.halfCellsToData * direction));
   return ray.begin < ray.end;
 }
 

@@ -32,13 +32,21 @@ uint levelCount;
 Lattices lattices;
 BrickTree brickTree; // without overlaps
 
+// The address so many bytes on.
+uvec2 offsetBy(uvec2 address, uint bytes)
+{
+  uint carry;
+  const uint low = uaddCarry(address.x, bytes, carry);
+  return uvec2(low, address.y + carry);
+}
+
 // The method's own data lie where other traversals than by the k-d tree have their boxes.
 void readConstants(FrameBuffer f)
 {
   readCommonConstants(f);
   levelCount = Indices(f.frame.activeBoxes).items[0];
-  lattices = Lattices(f.frame.activeBoxes + 4ul);
-  brickTree = BrickTree(f.frame.activeBoxes + 4ul + 16ul * levelCount);
+  lattices = Lattices(offsetBy(f.frame.activeBoxes, 4u));
+  brickTree = BrickTree(offsetBy(f.frame.activeBoxes, 4u + 16u * levelCount));
 }
 
 // The value of the cell of this width with this centre (half cells). False: it is no leaf cell.

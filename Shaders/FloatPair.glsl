@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers as unevaluated sums of two floats, of about 48 bits together: what takes double precision
+// elsewhere, on devices that have none (Dekker 1971; Shewchuk 1997). Every operation rounds alone
+// (`precise`): a product that is fused with a sum would lose what the low part is for. `low` is at most
+// half a unit in the last place of `high`. Pair and Pair4 are in Layout.h.
+
+struct Pair3
+{
+  vec3 high;
+  vec3 low;
+};
+// a + b, exactly.
+Pair4 twoSum(vec4 a, vec4 b)
+{
+  precise const vec4 sum = a + b;
+  precise const vec4 part = sum - a;
+  precise const vec4 rest = (a - (sum - part)) + (b - part);
+  return Pair4(sum, rest);
+}
+
+// a + b, exactly, where a is the larger one.
+Pair4 quickTwoSum(vec4 a, vec4 b)
+{
+  precise const vec4 sum = a + b;
+  precise const vec4 rest = b - (sum - a);
+  return Pair4(sum, rest);
+}
+
+// a * b, exactly: by halves of 12 bits, as a fused multiply-add may be none.
+Pair4 twoProduct(vec4 a, vec4 b)
+{
+  precise const vec4 product = a * b;
+  precise const vec4 bigA = 4097.0 * a;
+  precise const vec4 highA = bigA - (bigA - a);
+  precise const vec4 lowA = a - highA;
+  precise const vec4 bigB = 4097.0 * b;
+  precise const vec4 highB = bigB - (bigB - b);
+  precise const vec4 lowB = b - highB;
+  precise const vec4 rest =
+    ((highA * highB - product) + highA * lowB + lowA * highB) + lowA * lowB;
+  return Pair4(product, rest);
+}
+
+Pair4 add(Pair4 a, Pair4 b)
+{
+  const Pair4 sum = twoSum(a.high, b.high);
+  const Pair4 rest = twoSum(a.low, b.low);
+  precise const vec4 first = sum.low + rest.high;
+  const Pair4 most = quickTwoSum(sum.high, first);
+  precise const vec4 second = most.low + rest.low;
+  return quickTwoSum(most.high, second);
+}
+
+Pair4 negative(Pair4 a) { return Pair4(-a.high, -a.low); }
+
+Pair4 multiply(Pair4 a, Pair4 b)
+{
+  const Pair4 product = twoProduct(a.high, b.high);
+  precise const vec4 rest = product.low + (a.high * b.low + a.low * b.high);
+  return quickTwoSum(product.high, rest);
+}
+
+Pair4 divide(Pair4 a, Pair4 b)
+{
+  // A first quotient, and what it leaves over, divided once more, and again.
+  precise const vec4 first = a.high / b.high;
+  const Pair4 left = add(a, negative(multiply(Pair4(first, vec4(0.0)), b)));
+  precise const vec4 second = left.high / b.high;
+  const Pair4 leftThen = add(left, negative(multiply(Pair4(second, vec4(0.0)), b)));
+  precise const vec4 third = leftThen.high / b.high;
+  const Pair4 most = quickTwoSum(first, second);
+  return add(most, Pair4(third, vec4(0.0)));
+}
+
+Pair4 widen(Pair3 a) { return Pair4(vec4(a.high, 1.0), vec4(a.low, 0.0)); }
+Pair4 spread(Pair a) { return Pair4(vec4(a.high), vec4(a.low)); }
+Pair3 xyz(Pair4 a) { return Pair3(a.high.xyz, a.low.xyz); }
+Pair3 add(Pair3 a, Pair3 b) { return xyz(add(widen(a), widen(b))); }
+Pair3 negative(Pair3 a) { return Pair3(-a.high, -a.low); }
+Pair3 multiply(Pair3 a, Pair b) { return xyz(multiply(widen(a), spread(b))); }
+Pair3 divide(Pair3 a, Pair b) { return xyz(divide(widen(a), spread(b))); }
+
+Pair x(Pair4 a) { return Pair(a.high.x, a.low.x); }
+Pair add(Pair a, Pair b) { return x(add(spread(a), spread(b))); }
+Pair negative(Pair a) { return Pair(-a.high, -a.low); }
+Pair multiply(Pair a, Pair b) { return x(multiply(spread(a), spread(b))); }
+Pair divide(Pair a, Pair b) { return x(divide(spread(a), spread(b))); }
+
+// The sum of two floats.
+Pair makePair(float a, float b) { return x(twoSum(vec4(a), vec4(b))); }
+Pair makePair(float a) { return Pair(a, 0.0); }
+
+bool isLess(Pair a, Pair b) { return a.high < b.high || (a.high == b.high && a.low < b.low); }
+Pair greater(Pair a, Pair b)
+{
+  if (isLess(a, b))
+  {
+    return b;
+  }
+  return a;
+}
+
+// Of a vector whose squares are in the range of floats.
+Pair lengthOf(Pair3 a)
+{
+  const Pair4 squares = multiply(widen(a), widen(a));
+  const Pair square = add(add(Pair(squares.high.x, squares.low.x), Pair(squares.high.y, squares.low.y)),
+    Pair(squares.high.z, squares.low.z));
+  if (!(square.high > 0.0))
+  {
+    return Pair(0.0, 0.0);
+  }
+  // One step of Newton's from the root of the high part.
+  const Pair root = Pair(sqrt(square.high), 0.0);
+  const Pair left = add(square, negative(multiply(root, root)));
+  precise const float rest = left.high / (2.0 * root.high);
+  return makePair(root.high, rest);
+}
