@@ -50,159 +50,197 @@ std::string listArrays(vtkDataSet* block)
   }
   return text.empty() ? "no arrays" : text;
 }
+
+// Why a block without the array that `request` names cannot be read.
+std::string describeMissingArray(vtkInformation* request, vtkDataSet* block, int amrLevel)
+{
+  const char* name =
+    request->Has(vtkDataObject::FIELD_NAME()) ? request->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const bool points =
+    request->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return (name ? std::string("expected a ") + (points ? "point" : "cell") + " array '" + name + "'"
+               : std::string("expected active scalars")) +
+    " in every block, found " + listArrays(block) + " in one of level " + std::to_string(amrLevel) +
+    ". Let the reader read it (readers may enable none), and choose it by name (of the mapper: "
+    "SetScalarModeToUseCellFieldData() and SelectScalarArray())";
+}
+
+std::string nameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(unnamed)";
+}
+
+vtkSmartPointer<vtkDataArray> convertToCells(vtkImageData* grid, vtkDataArray* pointArray)
+{
+  vtkNew<vtkImageData> points;
+  points->CopyStructure(grid);
+  points->GetPointData()->AddArray(pointArray);
+  vtkNew<vtkPointDataToCellData> convert;
+  convert->SetInputData(points);
+  convert->Update();
+  return vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(0);
+}
 }
 
 struct vtkExaBricksBuilder::vtkInternals
 {
   std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
-  bool SaidPointsAreConverted = false;
+  bool ReportedConversion = false;
   exabricks::UnfinishedRun Unfinished;
 
-  // Points each block of `source` to its array. Returns the array's name; sets its number of
-  // components, and `fault`.
-  std::string FindArrays(vtkExaBricksBuilder* self, const exabricks::AMRInput& input,
-    exabricks::AMRCellSource& source, int& components, std::string& fault);
+  explicit vtkInternals(vtkExaBricksBuilder* self)
+    : Self(self)
+  {
+  }
 
-  // Null if it cannot be built, which is said, or was aborted.
-  std::shared_ptr<const exabricks::BrickedVolume> Build(
-    vtkExaBricksBuilder* self, vtkOverlappingAMR* amr);
+  std::shared_ptr<const exabricks::BrickedVolume> Build(vtkOverlappingAMR* amr);
+
+private:
+  std::string FindArrays(const exabricks::AMRInput& input, exabricks::AMRCellSource& source,
+    exabricks::BrickedVolume& bricked);
+  std::string FindArray(
+    vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name);
+  bool UpdateStructure(const exabricks::Hierarchy& hierarchy, double& seconds);
+  exabricks::Progress ProgressBetween(double from, double to);
+
+  vtkExaBricksBuilder* const Self;
 };
 
-std::string vtkExaBricksBuilder::vtkInternals::FindArrays(vtkExaBricksBuilder* self,
-  const exabricks::AMRInput& input, exabricks::AMRCellSource& source, int& components,
-  std::string& fault)
-{
-  std::string name;
-  for (std::size_t b = 0; b < input.grids.size(); ++b)
-  {
-    vtkImageData* grid = input.grids[b];
-    int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-    vtkSmartPointer<vtkDataArray> array = self->GetInputArrayToProcess(0, grid, association);
-    if (!array)
-    {
-      vtkInformation* wanted = self->GetInputArrayInformation(0);
-      const char* wantedName = wanted->Has(vtkDataObject::FIELD_NAME())
-        ? wanted->Get(vtkDataObject::FIELD_NAME())
-        : nullptr;
-      const exabricks::Block& block = input.hierarchy.blocks[b];
-      const bool points =
-        wanted->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-      fault = (wantedName ? std::string("expected a ") + (points ? "point" : "cell") + " array '" +
-                    wantedName + "'"
-                          : std::string("expected active scalars")) +
-        " in every block, found " + listArrays(grid) + " in one of level " +
-        std::to_string(input.amrLevel[block.level]) +
-        ". Let the reader read it (readers may enable none), and choose it by name (of the mapper: "
-        "SetScalarModeToUseCellFieldData() and SelectScalarArray())";
-      return name;
-    }
-    name = array->GetName() ? array->GetName() : "(unnamed)";
-    const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
-    if (array->GetNumberOfTuples() != expected)
-    {
-      fault = "expected " + std::to_string(expected) + " values in array '" + name +
-        "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
-        std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
-      return name;
-    }
-    if (array->GetNumberOfComponents() > 1 && self->VectorMode == COMPONENT &&
-      self->VectorComponent >= array->GetNumberOfComponents())
-    {
-      fault = "expected a component below " + std::to_string(array->GetNumberOfComponents()) +
-        " of array '" + name + "', found VectorComponent " + std::to_string(self->VectorComponent);
-      return name;
-    }
-    if (onPoints)
-    {
-      vtkNew<vtkImageData> points;
-      points->CopyStructure(grid);
-      points->GetPointData()->AddArray(array);
-      vtkNew<vtkPointDataToCellData> convert;
-      convert->SetInputData(points);
-      convert->Update();
-      array = vtkDataSet::SafeDownCast(convert->GetOutput())->GetCellData()->GetArray(0);
-      if (!this->SaidPointsAreConverted)
-      {
-        this->SaidPointsAreConverted = true;
-        vtkWarningWithObjectMacro(self,
-          "'" << name
-              << "' is a point array: it is converted to cells with vtkPointDataToCellData.");
-      }
-    }
-    components = array->GetNumberOfComponents();
-    source.setArray(static_cast<int>(b), array);
-  }
-  return name;
-}
-
+// Null if it cannot be built, which is reported here, or if it was aborted.
 std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternals::Build(
-  vtkExaBricksBuilder* self, vtkOverlappingAMR* amr)
+  vtkOverlappingAMR* amr)
 {
   const exabricks::AMRInput input = exabricks::readAMR(amr);
   if (!input.fault.empty())
   {
-    vtkErrorWithObjectMacro(self, << input.fault << ".");
+    vtkErrorWithObjectMacro(this->Self, << input.fault << ".");
     return nullptr;
   }
   exabricks::AMRCellSource source(
-    input, self->VectorMode == COMPONENT ? self->VectorComponent : -1);
-  std::string fault;
+    input, this->Self->VectorMode == COMPONENT ? this->Self->VectorComponent : -1);
   auto bricked = std::make_shared<exabricks::BrickedVolume>();
-  bricked->arrayName = this->FindArrays(self, input, source, bricked->components, fault);
+  const std::string fault = this->FindArrays(input, source, *bricked);
   if (!fault.empty())
   {
-    vtkErrorWithObjectMacro(self, << fault << ".");
+    vtkErrorWithObjectMacro(this->Self, << fault << ".");
     return nullptr;
   }
-
-  const auto progress = [self](double from, double to)
+  if (!this->UpdateStructure(input.hierarchy, bricked->structureTime))
   {
-    return [self, from, to](double done)
-    {
-      self->UpdateProgress(from + (to - from) * done);
-      const bool aborted = exabricks::isAborted(self);
-      self->Internals->Unfinished.set(aborted);
-      return !aborted;
-    };
-  };
-  const bool keep = this->Structure && this->Structure->hierarchy.sameStructure(input.hierarchy);
-  if (!keep)
-  {
-    const exabricks::Stopwatch watch;
-    this->Structure.reset();
-    auto structure = std::make_shared<const exabricks::Structure>(
-      exabricks::buildStructure(input.hierarchy, progress(0.0, 0.5)));
-    if (structure->tree.nodes.empty())
-    {
-      return nullptr; // aborted
-    }
-    if (structure->partlyCoveredBoxes > 0)
-    {
-      vtkWarningWithObjectMacro(self,
-        "Finer blocks cover some coarse cells in part: the rest of these cells is "
-        "drawn with their value.");
-    }
-    ++self->NumberOfStructureBuilds;
-    bricked->structureTime = watch.seconds();
-    this->Structure = std::move(structure);
+    return nullptr;
   }
   const exabricks::Stopwatch watch;
-  bricked->volume.structure = this->Structure;
   bricked->origin = input.hierarchy.origin;
   bricked->spacing = input.hierarchy.spacing;
   bricked->amrLevel = input.amrLevel;
-  bricked->volume.values = exabricks::makeValues(*this->Structure, source, progress(0.5, 1.0));
-  if (!bricked->volume.values)
-  {
-    return nullptr; // aborted
-  }
+  bricked->volume.structure = this->Structure;
+  bricked->volume.values =
+    exabricks::makeValues(*this->Structure, source, this->ProgressBetween(0.5, 1.0));
   bricked->valuesTime = watch.seconds();
-  return bricked;
+  return bricked->volume ? bricked : nullptr;
+}
+
+// Points each block of `source` to its array, and sets its name and number of components. Returns
+// why it cannot.
+std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRInput& input,
+  exabricks::AMRCellSource& source, exabricks::BrickedVolume& bricked)
+{
+  for (std::size_t b = 0; b < input.grids.size(); ++b)
+  {
+    vtkSmartPointer<vtkDataArray> array;
+    const std::string fault = this->FindArray(
+      input.grids[b], input.amrLevel[input.hierarchy.blocks[b].level], array, bricked.arrayName);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    bricked.components = array->GetNumberOfComponents();
+    source.setArray(static_cast<int>(b), array);
+  }
+  return {};
+}
+
+// The block's array, as one of cells. Returns why there is none that can be drawn.
+std::string vtkExaBricksBuilder::vtkInternals::FindArray(
+  vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  array = this->Self->GetInputArrayToProcess(0, grid, association);
+  if (!array)
+  {
+    return describeMissingArray(this->Self->GetInputArrayInformation(0), grid, amrLevel);
+  }
+  name = nameOf(array);
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
+  if (array->GetNumberOfTuples() != expected)
+  {
+    return "expected " + std::to_string(expected) + " values in array '" + name +
+      "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
+      std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
+  }
+  const int components = array->GetNumberOfComponents();
+  if (components > 1 && this->Self->VectorMode == COMPONENT &&
+    this->Self->VectorComponent >= components)
+  {
+    return "expected a component below " + std::to_string(components) + " of array '" + name +
+      "', found VectorComponent " + std::to_string(this->Self->VectorComponent);
+  }
+  if (onPoints)
+  {
+    array = convertToCells(grid, array);
+    if (!this->ReportedConversion)
+    {
+      this->ReportedConversion = true;
+      vtkWarningWithObjectMacro(this->Self,
+        "'" << name << "' is a point array: it is converted to cells with vtkPointDataToCellData.");
+    }
+  }
+  return {};
+}
+
+// Keeps the structure while the boxes stay the same. False: it was aborted.
+bool vtkExaBricksBuilder::vtkInternals::UpdateStructure(
+  const exabricks::Hierarchy& hierarchy, double& seconds)
+{
+  if (this->Structure && this->Structure->hierarchy.sameStructure(hierarchy))
+  {
+    return true;
+  }
+  const exabricks::Stopwatch watch;
+  this->Structure.reset(); // first, as two of them may be too much memory
+  auto structure = std::make_shared<const exabricks::Structure>(
+    exabricks::buildStructure(hierarchy, this->ProgressBetween(0.0, 0.5)));
+  if (structure->tree.nodes.empty())
+  {
+    return false;
+  }
+  if (structure->partlyCoveredBoxes > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "Finer blocks cover some coarse cells in part: the rest of these cells is "
+      "drawn with their value.");
+  }
+  ++this->Self->NumberOfStructureBuilds;
+  seconds = watch.seconds();
+  this->Structure = std::move(structure);
+  return true;
+}
+
+// Reports the progress of a stage as the filter's own, and stops it when the filter is aborted.
+exabricks::Progress vtkExaBricksBuilder::vtkInternals::ProgressBetween(double from, double to)
+{
+  return [this, from, to](double done)
+  {
+    this->Self->UpdateProgress(from + (to - from) * done);
+    const bool aborted = exabricks::isAborted(this->Self);
+    this->Unfinished.set(aborted);
+    return !aborted;
+  };
 }
 
 vtkExaBricksBuilder::vtkExaBricksBuilder()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
@@ -264,7 +302,7 @@ int vtkExaBricksBuilder::RequestData(
   {
     // Without a volume the output stays empty, and the reason has been said: on 0 the executive
     // would add an unclear error of its own.
-    if (auto bricked = this->Internals->Build(this, amr))
+    if (auto bricked = this->Internals->Build(amr))
     {
       output->SetBrickedVolume(std::move(bricked));
     }
