@@ -35,8 +35,8 @@ public:
   ActiveRegions take() { return std::move(this->Result); }
 
 private:
-  // Room for two children side by side, what `lower` and `upper` make of them, and the node above
-  // them: nothing, if both are.
+  // Makes room for two children side by side, fills it with what `lower` and `upper` return, and
+  // returns the node above them: Nothing, if both children are.
   template <typename Lower, typename Upper>
   layout::KdNode Join(int axis, int plane, const Lower& lower, const Upper& upper)
   {
@@ -85,8 +85,8 @@ private:
     return this->Cut(region, grid, glm::ivec3(0), grid.count(region));
   }
 
-  // Some of the macrocells of a region, from `begin` up to `end`: what shows nothing is cut off,
-  // side by side, and where that does not do, they are halved.
+  // Selects among the macrocells of a region from `begin` up to `end`: layers that show nothing are
+  // cut off, side by side, and where there are none, the macrocells are halved.
   layout::KdNode Cut(const layout::Region& region, const MacrocellGrid& grid,
     const glm::ivec3& begin, const glm::ivec3& end)
   {

@@ -12,16 +12,17 @@ namespace exabricks
 /// A region is active as a whole, or cut between macrocells where it shows nothing in some.
 struct ActiveRegions
 {
-  std::size_t regions = 0;  // with values that show
-  std::size_t boxCount = 0; // of them and their parts
-  /// In the order of the tree's leaves; none, unless they are asked for.
+  std::size_t regions = 0;  // in which anything shows
+  std::size_t boxCount = 0; // into which they are cut
+  /// In the order of the tree's leaves; empty unless they are asked for.
   std::vector<layout::ActiveBox> boxes;
   /// The regions' k-d tree down to these boxes, without the parts where nothing is active.
   std::vector<layout::KdNode> nodes;
 };
 
-/// `weights`: of the steps; null: one cell of the finest brick everywhere. Throws
-/// std::length_error, with words for the user, if there are too many for the nodes' links.
+/// `weights` choose the step of each box; if null, it is one cell of the finest brick everywhere.
+/// Throws std::length_error, with a message for the user, if the nodes' links have no room for all.
+/// `boxes`: whether the boxes are listed too.
 ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
   const StepWeights* weights = nullptr, bool boxes = true);
 

@@ -28,7 +28,7 @@ struct Box
   {
     return this->lo.x >= this->hi.x || this->lo.y >= this->hi.y || this->lo.z >= this->hi.z;
   }
-  /// Of sides no longer than 2^31.
+  /// For boxes with no side longer than 2^31.
   LatticeVolume volume() const
   {
     const glm::u64vec3 s(this->size());
@@ -68,7 +68,7 @@ inline std::int64_t floorDivide(std::int64_t a, std::int64_t b)
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-/// The lattice points of cells of `width` that hold `box`'s: rounded outward to whole cells.
+/// The smallest box of whole cells of `width` around `box`, counted in these cells.
 inline Box outwardToCells(const Box& box, std::int64_t width)
 {
   Box cells;
@@ -91,7 +91,7 @@ inline bool alignedTo(const Box& box, std::int64_t width)
   return scaled(outwardToCells(box, width), width) == box;
 }
 
-/// Splits `box` at `plane` of `axis`: the lower and the upper part.
+/// The parts of `box` below and above `plane` along `axis`.
 inline std::pair<Box, Box> split(const Box& box, int axis, std::int64_t plane)
 {
   std::pair<Box, Box> parts{ box, box };
@@ -100,7 +100,7 @@ inline std::pair<Box, Box> split(const Box& box, int axis, std::int64_t plane)
   return parts;
 }
 
-/// Of a size along x, y, z; the first of equal ones.
+/// The axis along which a size is largest; the first one where several are equal.
 template <typename Size>
 int longestAxis(const Size& size)
 {

@@ -33,8 +33,8 @@ private:
   struct Node
   {
     Box bounds;
-    int begin, end; // of its boxes in Order
-    int upper;      // index of the upper child, the lower one follows its parent; 0: a leaf
+    int begin, end; // its boxes are those from Order[begin] up to Order[end]
+    int upper;      // index of the upper child, 0 for a leaf; the lower child follows its parent
   };
 
   template <typename Visitor>

@@ -35,7 +35,7 @@ public:
     {
       all[i] = static_cast<int>(i);
     }
-    this->Node(this->Leaves.bounds, all);
+    this->BuildNode(this->Leaves.bounds, all);
     if (this->Aborted)
     {
       this->Bricks.clear();
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  void Node(const Box& box, const std::vector<int>& leaves)
+  void BuildNode(const Box& box, const std::vector<int>& leaves)
   {
     if (leaves.empty() || this->Aborted)
     {
@@ -60,11 +60,11 @@ private:
     }
     if (oneLevel && volume == box.volume())
     {
-      this->Emit(box, level);
+      this->AddBricks(box, level);
       return;
     }
 
-    const Plane plane = this->Choose(box, leaves);
+    const Plane plane = this->ChoosePlane(box, leaves);
     const auto parts = split(box, plane.axis, plane.position);
     std::vector<int> lower, upper;
     for (const int leaf : leaves)
@@ -79,12 +79,12 @@ private:
         upper.push_back(leaf);
       }
     }
-    this->Node(parts.first, lower);
-    this->Node(parts.second, upper);
+    this->BuildNode(parts.first, lower);
+    this->BuildNode(parts.second, upper);
   }
 
   // A box of one level is cut into equal bricks, along each axis as many as the limit asks for.
-  void Emit(const Box& box, int level)
+  void AddBricks(const Box& box, int level)
   {
     const std::int64_t width = this->CellWidth[level];
     const Int3 cells = box.size() / width;
@@ -115,19 +115,19 @@ private:
     }
   }
 
-  // The faces of one axis, in order; at each, how much area of each level begins and ends there.
+  // A face of a leaf box, across one axis: there leaf cells of a level begin or end.
   struct Face
   {
     std::int64_t position;
     int level;
     bool begins;
-    double area; // share of the node's cross section
+    double area; // as a fraction of the node's cross section
   };
 
-  // A plane that cuts no cell, where levels change or data end; of those on the longest axis that
-  // has one, the one where most changes, near the middle when in doubt. A node that holds a coarse
-  // cell and anything else always has such a plane, since widths divide one another.
-  Plane Choose(const Box& box, const std::vector<int>& leaves)
+  // Finds a plane that cuts no cell, where levels change or data end: on the longest axis that has
+  // one, the plane where most changes, and the one nearer to the middle when in doubt. A node that
+  // holds a coarse cell and anything else always has such a plane, since widths divide one another.
+  Plane ChoosePlane(const Box& box, const std::vector<int>& leaves)
   {
     const Int3 size = box.size();
     int axes[3] = { 0, 1, 2 };
@@ -215,7 +215,7 @@ private:
     return best;
   }
 
-  // Widths divide one another: what does not cut the coarsest cells there cuts none.
+  // As widths divide one another, a plane that does not cut the coarsest cells there cuts none.
   bool CutsNoCell(std::int64_t position) const
   {
     for (std::size_t level = 0; level < this->Straddling.size(); ++level)
@@ -236,7 +236,7 @@ private:
   std::uint64_t Cells = 0; // of the bricks so far
   std::size_t NextReport = 1024;
   bool Aborted = false;
-  // scratch of Choose
+  // Scratch of ChoosePlane.
   std::vector<Face> Faces;
   std::vector<double> Area;
   std::vector<int> Straddling; // [level], leaf boxes on both sides of the plane

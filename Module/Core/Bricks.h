@@ -12,15 +12,15 @@ namespace exabricks
 {
 struct Brick
 {
-  Int3 lo{ 0 };          // logical
-  glm::ivec3 cells{ 0 }; // along each axis
+  Int3 lo{ 0 };          // lower corner, logical
+  glm::ivec3 cells{ 0 }; // how many along each axis
   int level = 0;
 
   std::uint64_t numberOfCells() const
   {
     return static_cast<std::uint64_t>(this->cells.x) * this->cells.y * this->cells.z;
   }
-  /// With `layer` cells more on every side.
+  /// Of its cells and of `layer` more on every side.
   std::uint64_t numberOfValues(int layer) const
   {
     const glm::i64vec3 n(this->cells + 2 * layer);

@@ -12,7 +12,7 @@ namespace exabricks
 {
 namespace
 {
-// The bricks are the blocks: those of the finest level in cells of the next one.
+// Takes the bricks for blocks, those of the finest level in cells of the next one.
 Hierarchy withoutFinestLevel(const Structure& structure)
 {
   const std::vector<std::int64_t>& width = structure.hierarchy.cellWidth;
@@ -49,14 +49,15 @@ public:
     std::vector<int> bricks;
   };
 
-  /// Of a brick at `box`, in cells `width` wide. All in finest cells of the volume averaged.
+  /// Averages over the cells, `width` wide, of a brick at `box`. Both are in finest cells of the
+  /// volume that is averaged.
   void average(const Box& box, std::int64_t width, Scratch& scratch) const
   {
     const Int3 n = box.size() / width;
     const std::size_t cells = static_cast<std::size_t>(n.x * n.y * n.z);
     scratch.sum.assign(cells, 0.0);
     scratch.count.assign(cells, 0);
-    // In a fixed order, as sums depend on it.
+    // They are added in a fixed order, as the rounding of sums depends on it.
     scratch.bricks.clear();
     this->Index.forEachIntersecting(box, [&](int i) { scratch.bricks.push_back(i); });
     std::sort(scratch.bricks.begin(), scratch.bricks.end());

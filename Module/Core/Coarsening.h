@@ -18,8 +18,8 @@ struct CoarserStructure
   glm::dmat4 fromHalfCells{ 1.0 };
 };
 
-/// The cells of the finest level give way to those of the next one. None if it has one level alone.
-/// Depends on the boxes alone: it serves every array and time step of the structure.
+/// The cells of the finest level give way to those of the next one. None if there is one level
+/// alone. The result depends on the boxes alone, and serves every array and time step on them.
 std::optional<CoarserStructure> coarsen(const Structure& finer);
 
 /// The values of the structure that coarsen() made of the volume's: each cell has the mean of all

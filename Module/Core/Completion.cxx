@@ -13,11 +13,12 @@ namespace exabricks
 {
 namespace
 {
-// Positions are in half cells from the lower corner of the bounds, as in the tree.
+// A leaf cell. All positions in this file are in half cells from the lower corner of the bounds, as
+// in the tree.
 struct Cell
 {
-  int brick = -1; // none
-  glm::ivec3 at{ 0 };
+  int brick = -1;     // -1: there is no cell
+  glm::ivec3 at{ 0 }; // in the brick
 
   bool operator==(const Cell& other) const
   {
@@ -25,7 +26,7 @@ struct Cell
   }
 };
 
-// Where neighbours do not tell the slope along all axes, none along the rest.
+// Solves for a slope. Where the neighbours do not tell it along all axes, it is 0 along the rest.
 glm::dvec3 solve(glm::dmat3 matrix, const glm::dvec3& right)
 {
   const double mean = (matrix[0][0] + matrix[1][1] + matrix[2][2]) / 3.0;
@@ -49,7 +50,7 @@ public:
   {
   }
 
-  // Returns whether any of the values is absent.
+  // Writes the values of a brick and its layer. Returns whether any of them is absent.
   bool complete(int b, float* to)
   {
     const glm::ivec3 n = this->Bricks[b].cells;
@@ -88,10 +89,11 @@ private:
       brick.cells.x * (cell.at.y + static_cast<std::size_t>(brick.cells.y) * cell.at.z)];
   }
 
-  // The brick's cell that holds the point; of two that share it, the one above or below.
+  // Finds the brick's cell that holds the point. On a face between two cells, `above` tells for
+  // each axis whether the upper one is meant (1) or the lower one (0).
   bool CellOf(int b, const glm::ivec3& p, const glm::ivec3& above, Cell& cell) const
   {
-    // Faces are at whole half cells: half a cell down is in the cell below.
+    // Points and faces lie at whole numbers of half cells: one less is inside the cell below.
     const glm::ivec3 off = p - this->Origins[b] + above - 1;
     const int width = 2 * this->Width(b);
     const glm::ivec3 n = this->Bricks[b].cells;
@@ -141,7 +143,8 @@ private:
     return cell;
   }
 
-  // Calls visit(cell, share of the face) for the leaf cells that are there and touch a face.
+  // Calls visit(neighbour, fraction) for the leaf cells with a value that touch a face of the cell,
+  // with the fraction of the face that they touch.
   template <typename Visitor>
   void ForEachFaceNeighbour(const Cell& cell, const Visitor& visit)
   {
@@ -165,10 +168,10 @@ private:
     }
   }
 
-  // The leaf cells across a square of the width of the level's cells.
+  // The same for one square, as wide as the level's cells, on one of the cell's faces.
   template <typename Visitor>
   void VisitSquare(
-    const glm::ivec3& corner, int face, int level, double share, const Visitor& visit)
+    const glm::ivec3& corner, int face, int level, double fraction, const Visitor& visit)
   {
     glm::ivec3 above(1);
     above[face / 2] = face % 2;
@@ -181,7 +184,7 @@ private:
     {
       if (this->Value(cell) >= 0.0f)
       {
-        visit(cell, share);
+        visit(cell, fraction);
       }
       return;
     }
@@ -193,12 +196,12 @@ private:
       glm::ivec3 part = corner;
       part[(face / 2 + 1) % 3] += 2 * width * (i % n);
       part[(face / 2 + 2) % 3] += 2 * width * (i / n);
-      this->VisitSquare(part, face, level + 1, share / (n * n), visit);
+      this->VisitSquare(part, face, level + 1, fraction / (n * n), visit);
     }
   }
 
-  // What the cell says of the point: by the plane that fits the cells across its faces best,
-  // weighted with 1 / distance^2, which are central differences inside a level.
+  // The value at a point as the cell extends to it: by the plane that fits the cells across its
+  // faces best, weighted with 1 / distance^2. Inside a level that means central differences.
   double Extend(const Cell& cell, const glm::ivec3& p)
   {
     if (!(cell == this->Fitted))
@@ -208,11 +211,11 @@ private:
       glm::dmat3 matrix(0.0);
       glm::dvec3 right(0.0);
       this->ForEachFaceNeighbour(cell,
-        [&](const Cell& neighbour, double share)
+        [&](const Cell& neighbour, double fraction)
         {
           const glm::dvec3 off(this->Center(neighbour) - middle);
           const double difference = this->Value(neighbour) - value;
-          const double weight = share / glm::dot(off, off);
+          const double weight = fraction / glm::dot(off, off);
           matrix += glm::outerProduct(off, off) * weight;
           right += off * (weight * difference);
         });
@@ -222,7 +225,7 @@ private:
     return this->Value(cell) + glm::dot(this->Slope, glm::dvec3(p - this->Center(cell)));
   }
 
-  // Of the cell of the brick's level with this centre, outside the brick.
+  // The value of a cell outside the brick, of its level, with this centre.
   float ValueBeside(int b, const glm::ivec3& p)
   {
     const int level = this->Bricks[b].level;
@@ -238,7 +241,7 @@ private:
           return this->Value(cell);
         }
         holding[count++] = cell;
-        if (this->Bricks[cell.brick].level < level) // it holds the centre inside
+        if (this->Bricks[cell.brick].level < level) // the centre is inside it, in no other cell
         {
           break;
         }
@@ -267,6 +270,7 @@ private:
     return static_cast<float>(glm::clamp(sum / there, 0.0, 1.0));
   }
 
+  // The mean of the nearest of the 26 cells of the level around a centre that no leaf cell holds.
   float ValueInHole(int b, const glm::ivec3& p)
   {
     double sum = 0.0;
@@ -299,8 +303,8 @@ private:
   const std::vector<Brick>& Bricks;
   const Values& Given;
   const std::vector<glm::ivec3>& Origins;
-  int Last = -1; // brick found last
-  Cell Fitted;   // of Extend
+  int Last = -1; // the brick of the last cell that was found, which often has the next one too
+  Cell Fitted;   // the cell that Extend() has fitted a plane to last, and the plane's slope
   glm::dvec3 Slope{ 0.0 };
 };
 }

@@ -19,7 +19,7 @@ namespace exabricks
 struct Block
 {
   int level = 0;
-  Box cells; // in cells of its own level
+  Box cells; // counted in cells of its own level
 
   bool operator==(const Block& other) const
   {
@@ -30,7 +30,7 @@ struct Block
 struct Hierarchy
 {
   std::vector<std::int64_t> cellWidth; // [level], finest cells; each a multiple of the next, last 1
-  std::vector<Block> blocks;           // null blocks are left out
+  std::vector<Block> blocks;           // those that are really there
   glm::dvec3 origin{ 0.0 };            // world position of logical (0, 0, 0)
   glm::dvec3 spacing{ 1.0 };           // world size of a finest cell
 
@@ -39,7 +39,7 @@ struct Hierarchy
     return scaled(block.cells, this->cellWidth[block.level]);
   }
   int levels() const { return static_cast<int>(this->cellWidth.size()); }
-  /// Same lattice and same blocks: bricks and regions can be kept.
+  /// Whether lattice and blocks are the same, so that bricks and regions can be kept.
   bool sameStructure(const Hierarchy& other) const
   {
     return this->cellWidth == other.cellWidth && this->blocks == other.blocks;
@@ -50,15 +50,16 @@ struct Hierarchy
 /// cells have to fit 32 bits on the device.
 constexpr std::int64_t LatticeLimit = std::int64_t(1) << 30;
 
-/// What is said of levels whose cells would be too wide: the ratio of level `coarse` to `fine`,
-/// whose own cells are `width` finest cells wide. For ratios of any size.
+/// The message for levels whose cells would be too wide. `ratio`: of level `coarse` to level
+/// `fine`, whose cells are `width` finest cells wide; it may be of any size.
 std::string describeWideRatio(double ratio, int coarse, int fine, std::int64_t width);
 
-/// Empty if the hierarchy can be used, else what was expected, what was found and what to do.
+/// Returns why the hierarchy cannot be used: what was expected, what was found and what to do.
+/// Empty if it can.
 std::string findFault(const Hierarchy& hierarchy);
 
-/// Told the done fraction in [0, 1] of a stage, always from the calling thread; returns false to
-/// abort.
+/// Is told which fraction of a stage is done, in [0, 1], always from the calling thread. Returns
+/// false to abort the stage.
 using Progress = std::function<bool(double)>;
 }
 

@@ -11,8 +11,8 @@
 
 namespace exabricks
 {
-/// The index of a node, a region, or an entry of the brick lists. Throws std::length_error where a
-/// link has no room for it.
+/// Returns `index`, of a node, a region, or an entry of the brick lists, for a link. Throws
+/// std::length_error, with a message for the user, where a link has no room for it.
 inline std::uint32_t checkIndex(std::size_t index)
 {
   if (index >= layout::KD_NO_REGION)

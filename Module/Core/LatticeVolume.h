@@ -46,7 +46,7 @@ public:
   /// Whether the volume is 0.
   constexpr bool empty() const { return this->Low == 0 && this->High == 0; }
 
-  /// The lowest bits: for volumes that are known to fit, such as those of boxes in memory.
+  /// Its lowest bits, for volumes that are known to fit, such as those of boxes in memory.
   template <typename Integer, typename = std::enable_if_t<std::is_integral_v<Integer>>>
   constexpr explicit operator Integer() const
   {

@@ -9,7 +9,7 @@ namespace exabricks
 {
 namespace
 {
-// Of all faces of `cutters` inside `box`, the one that halves its longest axis best.
+// Finds, among the faces of `cutters` inside `box`, the one that halves its longest axis best.
 std::pair<int, std::int64_t> chooseCut(const Box& box, const std::vector<Box>& cutters)
 {
   const Int3 size = box.size();
@@ -22,7 +22,8 @@ std::pair<int, std::int64_t> chooseCut(const Box& box, const std::vector<Box>& c
     {
       for (const std::int64_t p : { cutter.lo[a], cutter.hi[a] })
       {
-        // the shorter side of the cut: long for a cut through the middle of a long axis
+        // The shorter side of the cut counts most: it is long for cuts through the middle of a
+        // long axis.
         const double score = static_cast<double>(std::min(p - box.lo[a], box.hi[a] - p)) * 16.0 +
           static_cast<double>(size[a]);
         if (p > box.lo[a] && p < box.hi[a] && score > best)
@@ -47,7 +48,8 @@ std::vector<Box> subtractFromAll(const std::vector<Box>& boxes, const std::vecto
   return rest;
 }
 
-// What is left of one block: whole cells, and pieces of cells that are covered in part.
+// What is left of one block that finer ones cover: whole cells, and pieces of cells that are
+// covered in part.
 class VisiblePart
 {
 public:

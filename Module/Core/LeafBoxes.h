@@ -9,22 +9,22 @@ namespace exabricks
 {
 struct LeafBox
 {
-  int level = 0; // width of its cells
-  Box box;       // logical, whole cells of its level
+  int level = 0; // of its cells
+  Box box;       // logical; it consists of whole cells of its level
 };
 
 struct LeafBoxes
 {
   std::vector<LeafBox> boxes; // disjoint
-  Box bounds;                 // logical, of all boxes
-  std::uint64_t cells = 0;    // leaf cells
-  /// Boxes with what is left of coarse cells that finer blocks cover in part: cut into cells of the
-  /// first level whose cells fit, each with the coarse cell's value.
+  Box bounds;                 // logical, around all boxes
+  std::uint64_t cells = 0;    // in all boxes
+  /// How many of the boxes are what is left of coarse cells that finer blocks cover in part. Such a
+  /// box is cut into cells of the first level whose cells fit, each with the coarse cell's value.
   std::size_t partlyCoveredBoxes = 0;
 };
 
-/// Covered is what a finer block of `hierarchy.blocks` covers; where blocks of one level overlap,
-/// each cell is taken once. Returns no boxes if `progress` aborts.
+/// A cell is covered where a finer one of `hierarchy.blocks` is really there. Where blocks of one
+/// level overlap, each cell is taken once. Returns no boxes if `progress` aborts.
 LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress = {});
 
 /// Appends to `rest` disjoint boxes that make up `box` without `cutters`.

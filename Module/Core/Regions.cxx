@@ -64,7 +64,7 @@ public:
       this->Lists[i] = checkIndex(i);
     }
     this->Tree.nodes.push_back({});
-    this->Node({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
+    this->BuildNode({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
     if (this->Aborted)
     {
       this->Tree.nodes.clear();
@@ -113,8 +113,8 @@ private:
       std::max({ size.x, size.y, size.z }) <= 2 * this->Limits.smallCells * finest;
   }
 
-  // The node's list is the end of Lists, from `begin` on; `share` is its part of the whole work.
-  void Node(const HalfBox& box, std::size_t node, std::size_t begin, double share)
+  // The node's list is the end of Lists, from `begin` on; `fraction` is its part of the whole work.
+  void BuildNode(const HalfBox& box, std::size_t node, std::size_t begin, double fraction)
   {
     if (this->Aborted)
     {
@@ -135,7 +135,7 @@ private:
       }
       if (this->Best.axis < 0)
       {
-        this->Leaf(box, node, cover == Cover::None ? this->Lists.size() : begin, share);
+        this->AddRegion(box, node, cover == Cover::None ? this->Lists.size() : begin, fraction);
         return;
       }
     }
@@ -159,13 +159,13 @@ private:
           this->Lists.push_back(brick);
         }
       }
-      // the child's list begins where the node's ends
-      this->Node(part, child + side, end, share * 0.5);
+      // The child's list begins where the node's ends.
+      this->BuildNode(part, child + side, end, fraction * 0.5);
       this->Lists.resize(end);
     }
   }
 
-  void Leaf(const HalfBox& box, std::size_t node, std::size_t begin, double share)
+  void AddRegion(const HalfBox& box, std::size_t node, std::size_t begin, double fraction)
   {
     const std::size_t region = this->Tree.regions.size();
     this->Tree.nodes[node] = { 0, makeLink(region, layout::KD_LEAF) };
@@ -173,7 +173,7 @@ private:
       static_cast<std::uint32_t>(this->Lists.size() - begin) });
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
-    this->Done += share;
+    this->Done += fraction;
     if (this->Report && region % 4096 == 0)
     {
       this->Aborted = !this->Report(std::min(this->Done, 1.0));
@@ -186,9 +186,10 @@ private:
     int position = 0;
   };
 
-  // Of the faces inside the node, the one of least cost: area times length of list, both children
-  // added. It isolates boxes with short lists, where most samples are. Supports are cut only while
-  // the list is too long, bricks only where the node lies in data in part.
+  // Finds the face inside the node at which cutting it costs least: area times length of list, both
+  // children added. That isolates boxes with short lists, where most samples are. Faces of supports
+  // count only while the list is too long, faces of bricks only where the node lies in data in
+  // part.
   void ChoosePlane(const HalfBox& box, std::size_t begin, bool cutSupports, bool cutBricks)
   {
     double bestCost = std::numeric_limits<double>::max();
@@ -235,7 +236,8 @@ private:
     }
   }
 
-  // Long lists are halved: the support face nearest to the middle of the longest axis that has one.
+  // Finds the face of a support that is nearest to the middle of the longest axis that has one, to
+  // halve a long list.
   void ChooseMedian(const HalfBox& box, std::size_t begin)
   {
     const glm::ivec3 size = box.hi - box.lo;

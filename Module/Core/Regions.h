@@ -12,22 +12,24 @@ namespace exabricks
 {
 struct RegionTree
 {
-  Box bounds;      // logical; the origin of all half-cell coordinates is bounds.lo
+  Box bounds;      // logical; bounds.lo is the origin of all coordinates in half cells
   glm::ivec3 size; // half cells
   std::vector<layout::Region> regions; // in the order of the tree's leaves
   std::vector<std::uint32_t> brickLists;
   std::vector<layout::KdNode> nodes; // the root first
 };
 
-/// Where splitting stops. A brick too many in a list weighs 0 and saves regions, but costs at each
-/// sample. In long regions it does so often: of 1 to 8, 1 and 2 drew fastest. A ray leaves a short
-/// one after a few samples, and what saves it entries pays: crumbs of an octree take a tenth of the
-/// regions and are drawn in 0.85 to 0.95 of the time (stand-ins of 1 M cells, on lavapipe).
+/// How long a list of bricks may be for its node to become a region. A brick too many in a list
+/// weighs 0 and saves regions, but each sample pays for it. In long regions many samples do: of
+/// limits from 1 to 8, those of 1 and 2 drew fastest. A ray leaves a short region after a few
+/// samples, so that there fewer entries into regions save more: the small fragments of an octree
+/// take a tenth of the regions, and are drawn in 0.85 to 0.95 of the time (stand-ins of 1 M cells,
+/// on lavapipe).
 struct RegionLimits
 {
-  int bricks = 1;      // of any region
-  int smallBricks = 8; // of one that is no longer than ...
-  int smallCells = 6;  // ... so many of its finest cells
+  int bricks = 1;      // in the list of any region
+  int smallBricks = 8; // in the list of a region that is no longer than smallCells
+  int smallCells = 6;  // length of a small region, in the finest cells that reach into it
 };
 
 /// The support of a brick is its box grown by half its own cell. Regions are cut at the faces of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wall time since it was made, for the times that users are told.
+// Measures the wall time since it was made, for the times that users are told.
 #ifndef ExaBricksCoreStopwatch_h
 #define ExaBricksCoreStopwatch_h
 

@@ -75,5 +75,4 @@ bool TransferFunction::showsTheSame(const TransferFunction& other) const
 {
   return this->Transparent == other.Transparent;
 }
-
 }

@@ -24,8 +24,8 @@ public:
     : TransferFunction(std::vector<Point>())
   {
   }
-  /// `points` in ascending order; two of equal value are a jump. Values before the first and after
-  /// the last take theirs.
+  /// `points` are in ascending order; two of equal value make a jump. Values before the first and
+  /// after the last point have the colour of that point.
   explicit TransferFunction(std::vector<Point> points);
 
   const std::vector<Point>& points() const { return this->Points; }
@@ -35,7 +35,7 @@ public:
   /// points themselves.
   bool visible(const ValueRange& range) const;
 
-  /// Shows the same values as the other: the active regions can be kept.
+  /// Whether both show the same values, so that the active regions can be kept.
   bool showsTheSame(const TransferFunction& other) const;
 
 private:

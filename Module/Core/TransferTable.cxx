@@ -11,7 +11,7 @@ namespace
 {
 using Point = TransferFunction::Point;
 
-// Points with values in [0, 1] alone, the first at 0 and the last at 1; a jump at 1 is kept.
+// The function's points in [0, 1], with one at 0 and one at 1; a jump at 1 is kept.
 std::vector<Point> clipToUnitInterval(const TransferFunction& transfer)
 {
   std::vector<Point> points{ { 0.0, transfer.evaluate(0.0) } };
@@ -28,8 +28,8 @@ std::vector<Point> clipToUnitInterval(const TransferFunction& transfer)
   return points;
 }
 
-// That of the greatest opacity below 1; and without the loss of digits of 1 - opacity where that is
-// small.
+// By log1p, as 1 - opacity has few digits of a small opacity. At most the extinction of the
+// greatest opacity below 1.
 double extinctionOf(double opacity)
 {
   return std::min(-std::log1p(-opacity), static_cast<double>(layout::DENSEST));
@@ -49,12 +49,12 @@ struct Part
   double width() const { return this->end.value - this->begin.value; }
   Point at(double value) const
   {
-    const double share = this->width() > 0.0 ? (value - this->begin.value) / this->width() : 0.0;
-    return { value, glm::mix(this->begin.color, this->end.color, glm::clamp(share, 0.0, 1.0)) };
+    const double fraction = this->width() > 0.0 ? (value - this->begin.value) / this->width() : 0.0;
+    return { value, glm::mix(this->begin.color, this->end.color, glm::clamp(fraction, 0.0, 1.0)) };
   }
   bool opaque() const { return this->begin.color.a >= 1.0 && this->end.color.a >= 1.0; }
 
-  // The device takes extinction for linear: the part is narrow enough for that.
+  // Whether the part is so narrow that extinction is linear on it, for which the device takes it.
   bool isLinear() const
   {
     const glm::dvec4 mean = this->mean();
@@ -63,19 +63,20 @@ struct Part
     return std::max({ off.r, off.g, off.b, off.a }) <= 1e-4 * mean.a;
   }
 
-  // Mean of the extinction, and of the same times each colour.
+  // The mean of the extinction, in the last component, and of the extinction times each colour.
   glm::dvec4 mean() const
   {
     const double a0 = this->begin.color.a;
     const double a1 = this->end.color.a;
     double mean = 0.0;
-    double upward = 0.0; // of the extinction times the share of the way to the end
+    double upward = 0.0; // mean of the extinction times the fraction of the way to the end
     if (std::abs(a1 - a0) > 1e-3)
     {
-      const double u0 = std::exp(-extinctionOf(a0)); // what passes
+      const double u0 = std::exp(-extinctionOf(a0)); // transmittance
       const double u1 = std::exp(-extinctionOf(a1));
-      const auto first = [](double u) { return u - u * std::log(u); }; // integrals of -ln u, ...
-      const auto second = [](double u) { return u * u * (0.25 - 0.5 * std::log(u)); }; // -u ln u
+      // Integrals of -ln u and of -u ln u.
+      const auto first = [](double u) { return u - u * std::log(u); };
+      const auto second = [](double u) { return u * u * (0.25 - 0.5 * std::log(u)); };
       mean = (first(u1) - first(u0)) / (u1 - u0);
       upward = ((second(u1) - second(u0)) / (u1 - u0) - u0 * mean) / (u1 - u0);
     }
@@ -83,11 +84,11 @@ struct Part
     {
       for (const double offset : { -1.0, 0.0, 1.0 }) // Gauss's rule of three points
       {
-        const double share = 0.5 + offset * std::sqrt(0.15);
+        const double fraction = 0.5 + offset * std::sqrt(0.15);
         const double weight = offset == 0.0 ? 4.0 / 9.0 : 5.0 / 18.0;
-        const double extinction = extinctionOf(glm::mix(a0, a1, share));
+        const double extinction = extinctionOf(glm::mix(a0, a1, fraction));
         mean += weight * extinction;
-        upward += weight * extinction * share;
+        upward += weight * extinction * fraction;
       }
     }
     const glm::dvec4 colors =
@@ -96,7 +97,7 @@ struct Part
   }
 };
 
-// A straight line as the device has it, but for the integral before it.
+// A straight line as the device has it; the integral of the lines before it is added later.
 struct Line
 {
   layout::TransferKnot knot;
@@ -142,7 +143,7 @@ public:
       part.width() };
   }
 
-  // A part of piece i, halved until lines fit.
+  // Adds lines for a part of piece i, which is halved until lines fit.
   void addLines(std::size_t i, const Part& part, int depth, std::vector<Line>& lines) const
   {
     const Point middle = part.at(0.5 * (part.begin.value + part.end.value));
@@ -155,7 +156,7 @@ public:
       if (!part.isLinear() && splits && this->Deepest < FullDepth && part.begin.color.a < 1.0 &&
         part.end.color.a < 1.0)
       {
-        // Halved no more: its mean counts, not its ends.
+        // As it is not halved any more, the line has the part's mean, and not its ends.
         layout::TransferKnot& knot = lines.back().knot;
         const glm::vec4 factor(
           part.mean() / glm::max(0.5 * glm::dvec4(knot.lower + knot.upper), 1e-300));
@@ -168,8 +169,8 @@ public:
     this->addLines(i, { middle, part.end }, depth + 1, lines);
   }
 
-  // The lines from `lo` to `hi`; `first`: the last piece that does not begin above `lo`. The jump
-  // at 1, if there is one, is in no bin.
+  // The lines from `lo` to `hi`. `first` is the last piece that does not begin above `lo`. A jump
+  // at 1 is in no bin.
   std::vector<Line> linesBetween(float lo, float hi, std::size_t first) const
   {
     std::vector<Line> lines;
@@ -243,7 +244,7 @@ TransferTable::TransferTable(const TransferFunction& transfer)
     }
     if (!isLine)
     {
-      // Its upper end; that of the last bin holds 1 itself, and needs one more after it.
+      // The bin's upper end. That of the last bin holds 1 itself, and needs one more after it.
       end.value = hi;
       addKnot(end);
       end.value = 3.0f;
@@ -255,7 +256,7 @@ TransferTable::TransferTable(const TransferFunction& transfer)
     this->bins.push_back(bin);
   }
 
-  // Some less than 2^31, as the device rounds.
+  // A little less than 2^31, as the device rounds.
   const double unit = integral.a > 0.0 ? integral.a / 2147000000.0 : 1.0;
   this->integralUnit = static_cast<float>(unit);
   for (std::size_t i = 0; i < this->bins.size(); ++i)

@@ -14,7 +14,7 @@ struct TransferTable
 
   std::vector<layout::TransferBin> bins;
   std::vector<layout::TransferKnot> knots;
-  float integralUnit = 1.0f; // of the integrals in bins and knots
+  float integralUnit = 1.0f; // what the integrals in bins and knots are counted in
 };
 }
 

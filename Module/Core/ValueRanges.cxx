@@ -12,7 +12,7 @@ struct Finder
   const Structure& structure;
   const Values& values;
 
-  // Of a box, half cells, inside a region.
+  // The range in a box inside a region, in half cells.
   ValueRange find(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi) const
   {
     ValueRange range;
@@ -23,7 +23,7 @@ struct Finder
     return range;
   }
 
-  // Width of the finest of a region's cells, half cells.
+  // The width of the finest cells that reach into a region, in half cells.
   int finest(const layout::Region& region) const
   {
     std::int64_t width = std::numeric_limits<int>::max();
@@ -101,7 +101,7 @@ ValueRanges findValueRanges(const Structure& structure, const Values& values, in
   }
   ranges.grids.shrink_to_fit();
   ranges.macrocells.resize(count);
-  // Nothing in it throws.
+  // Nothing in this loop throws, so exceptions need no care.
 #pragma omp parallel for schedule(dynamic, 64) if (values.normalized.size() > ParallelCells)
   for (std::ptrdiff_t r = 0; r < static_cast<std::ptrdiff_t>(tree.regions.size()); ++r)
   {

@@ -13,7 +13,7 @@ namespace exabricks
 struct Structure;
 struct Values;
 
-/// Least and greatest normalised value; empty: min > max.
+/// Least and greatest normalised value; min > max where there is none.
 struct ValueRange
 {
   float min = std::numeric_limits<float>::infinity();
@@ -44,18 +44,19 @@ struct MacrocellGrid
   /// Where macrocell `i` of a region begins, and with i + 1 where it ends.
   glm::ivec3 corner(const layout::Region& box, const glm::ivec3& i) const
   {
-    // the sum may be more than an int holds
+    // The sum may be more than an int holds.
     return glm::ivec3(glm::min(Int3(box.lo) + Int3(i) * std::int64_t(this->side), Int3(box.hi)));
   }
 };
 
-/// Over the cells whose tent reaches into a box. The reconstruction is a weighted mean of them, so
-/// it leaves the range by no more than its own rounding.
+/// Each is the range of the cells whose tents reach into the region or macrocell. The
+/// reconstruction is a weighted mean of them, so it leaves the range by no more than its own
+/// rounding.
 struct ValueRanges
 {
-  std::vector<ValueRange> regions;
-  std::vector<MacrocellGrid> grids; // of the regions longer than a macrocell, in ascending order
-  std::vector<ValueRange> macrocells;
+  std::vector<ValueRange> regions;    // [region]
+  std::vector<MacrocellGrid> grids;   // of regions longer than a macrocell, in ascending order
+  std::vector<ValueRange> macrocells; // [MacrocellGrid::firstRange ...]
 
   std::uint64_t bytes() const
   {

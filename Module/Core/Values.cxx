@@ -29,8 +29,8 @@ public:
     std::vector<double> values;
     std::vector<double> part;
     std::vector<unsigned char> duplicate;
-    /// Of the brick's cells: 0 for none yet, else it grows with the level that the value is from,
-    /// and is odd for a duplicate.
+    /// [cell of the brick]: 0 as long as it has no value, else greater for a finer level that the
+    /// value is from, and odd for a duplicate.
     std::vector<unsigned char> rank;
     std::vector<int> blocks;
   };
@@ -121,8 +121,8 @@ private:
   const BlockIndex Index;
 };
 
-// Runs `work(brick, scratch)` for all bricks on all threads; `before` is the part of the whole that
-// is done.
+// Runs `work(brick, scratch)` for all bricks on all threads. This is one of two passes, and reports
+// half of the progress; `before` is the fraction that was done before it. False if it is aborted.
 template <typename Work>
 bool forEachBrick(
   const Structure& structure, double before, const Progress& progress, const Work& work)

@@ -17,17 +17,17 @@ constexpr std::uint64_t ParallelCells = 1 << 17;
 
 struct Values
 {
-  Range range;                   // of the leaf cells that are there, as the source gave it
+  Range range;                   // of the leaf cells that have a value, as the source gave it
   std::vector<float> normalized; // brick after brick, in [0, 1] of the range, or layout::ABSENT
   /// Cells around each brick that have values too: 0, or 1 where levels are completed (Completion).
   int layer = 0;
-  /// [bricks + 1], where in `normalized` each brick begins, and where the last one ends.
+  /// [bricks + 1]: where in `normalized` each brick begins, and where the last one ends.
   std::vector<std::uint64_t> firstValue;
-  std::vector<unsigned char> brickHasAbsentCells; // [brick], among its own cells and the layer
-  std::uint64_t absentCells = 0;                  // leaf cells alone
+  std::vector<unsigned char> brickHasAbsentCells; // [brick], its layer included
+  std::uint64_t absentCells = 0;                  // leaf cells without a value
   ValueRanges ranges;
 
-  /// Of a brick and its layer, x runs fastest.
+  /// The values of a brick and its layer, [z][y][x].
   const float* ofBrick(std::size_t brick) const
   {
     return this->normalized.data() + this->firstValue[brick];
