@@ -14,6 +14,7 @@
 
 namespace exabricks
 {
+/// Blocks of a level, whether they are there or not.
 inline unsigned int numberOfBlocks(vtkOverlappingAMR* amr, unsigned int level)
 {
 #ifdef EXABRICKS_AMR_OF_VTK_9_6
@@ -23,7 +24,7 @@ inline unsigned int numberOfBlocks(vtkOverlappingAMR* amr, unsigned int level)
 #endif
 }
 
-/// Null for a block that is not there.
+/// The block, or null if it is not there.
 inline vtkDataSet* getBlock(vtkOverlappingAMR* amr, unsigned int level, unsigned int index)
 {
 #ifdef EXABRICKS_AMR_OF_VTK_9_6

@@ -29,8 +29,8 @@ std::string triple(const double v[3])
   return text.str();
 }
 
-// Whole ratio of the spacings of two levels, or 0; it may be larger than any integer. Readers are
-// known to report wrong ratios, but spacings they have to get right.
+// The ratio of the spacings of two levels if it is whole, else 0; it may be larger than any
+// integer. Readers are known to report wrong ratios, but spacings they have to get right.
 double findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
 {
   const glm::dvec3 ratio = coarse / fine;
@@ -55,10 +55,9 @@ public:
 
   AMRInput read()
   {
-    for (unsigned int level = 0; level < this->AMR->GetNumberOfLevels() && this->Well(); ++level)
+    for (unsigned int level = 0; level < this->AMR->GetNumberOfLevels() && this->Ok(); ++level)
     {
-      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Well();
-           ++index)
+      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Ok(); ++index)
       {
         if (vtkDataSet* block = getBlock(this->AMR, level, index))
         {
@@ -66,13 +65,13 @@ public:
         }
       }
     }
-    if (this->Well() && this->Input.grids.empty())
+    if (this->Ok() && this->Input.grids.empty())
     {
       this->Input.fault = "expected an AMR with at least one block, found none in its " +
         std::to_string(this->AMR->GetNumberOfLevels()) +
         " levels. Let the reader read more levels, or check the file";
     }
-    if (this->Well())
+    if (this->Ok())
     {
       this->FinishLattice();
     }
@@ -80,7 +79,7 @@ public:
   }
 
 private:
-  bool Well() const { return this->Input.fault.empty(); }
+  bool Ok() const { return this->Input.fault.empty(); }
 
   void AddBlock(unsigned int level, unsigned int index, vtkDataSet* block)
   {
@@ -119,7 +118,7 @@ private:
     this->AddGrid(level, index, grid, result);
   }
 
-  // A grid may be larger than the AMR box: it has ghost layers. Round-off in its origin is common.
+  // A grid may be larger than the AMR box, by ghost layers. Round-off in its origin is common.
   void AddGrid(unsigned int level, unsigned int index, vtkImageData* grid, const Block& block)
   {
     const glm::dvec3& spacing = this->Spacings.back();
@@ -133,7 +132,7 @@ private:
     {
       const double cells = (origin[axis] - bounds[2 * axis]) / spacing[axis] +
         static_cast<double>(block.cells.lo[axis]);
-      const double off = std::round(cells); // of any size, or not a number
+      const double off = std::round(cells); // it may be of any size, or not a number
       const double room = static_cast<double>(points[axis] - 1 - block.cells.size()[axis]);
       if (!(std::abs(cells - off) < 0.1) || !(off >= 0.0) || !(off <= room))
       {
@@ -194,7 +193,7 @@ private:
   std::vector<glm::dvec3> Spacings; // [level of the hierarchy]
 };
 
-// Reads a row of values as double, for each type of array.
+// Reads a row of values as double; `component` as for AMRCellSource. One for each type of array.
 struct RowReader
 {
   template <typename Array>
@@ -224,7 +223,7 @@ struct RowReader
   }
 };
 
-// All rows of a box, for one type of array.
+// Reads all rows of a box, for one type of array.
 struct BoxReader
 {
   template <typename Array>
@@ -253,19 +252,19 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     Source& source = this->Sources[b];
     int points[3];
     grid->GetDimensions(points);
-    source.GridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
-    source.First = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
+    source.gridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
+    source.first = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
     auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
       grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     if (ghosts && ghosts->GetNumberOfValues() == grid->GetNumberOfCells())
     {
-      source.Ghosts = ghosts->GetPointer(0);
+      source.ghosts = ghosts->GetPointer(0);
       const Box& cells = input.hierarchy.blocks[b].cells;
       this->ForEachRow(source, cells,
         [&](vtkIdType first, std::int64_t count)
         {
-          source.Duplicates = source.Duplicates ||
-            std::any_of(source.Ghosts + first, source.Ghosts + first + count,
+          source.hasDuplicates = source.hasDuplicates ||
+            std::any_of(source.ghosts + first, source.ghosts + first + count,
               [](unsigned char ghost) { return ghost & vtkDataSetAttributes::DUPLICATECELL; });
         });
     }
@@ -274,24 +273,24 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
 
 void AMRCellSource::setArray(int block, vtkDataArray* array)
 {
-  this->Sources[block].Array = array;
+  this->Sources[block].array = array;
   if (array->GetDataType() == VTK_BIT)
   {
     // Bits are read through a buffer of the array's own, which threads cannot share.
-    this->Sources[block].Array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    this->Sources[block].Array->DeepCopy(array);
+    this->Sources[block].array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->Sources[block].array->DeepCopy(array);
   }
 }
 
 template <typename Visitor>
 void AMRCellSource::ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const
 {
-  const Int3 n = source.GridCells;
+  const Int3 n = source.gridCells;
   for (std::int64_t z = cells.lo.z; z < cells.hi.z; ++z)
   {
     for (std::int64_t y = cells.lo.y; y < cells.hi.y; ++y)
     {
-      const Int3 at = Int3(cells.lo.x, y, z) - source.First;
+      const Int3 at = Int3(cells.lo.x, y, z) - source.first;
       visit(static_cast<vtkIdType>(at.x + n.x * (at.y + n.y * at.z)), cells.size().x);
     }
   }
@@ -304,20 +303,20 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   rows.reserve(static_cast<std::size_t>(cells.size().y * cells.size().z));
   this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t) { rows.push_back(first); });
   const std::int64_t count = cells.size().x;
-  const int component = source.Array->GetNumberOfComponents() == 1 ? 0 : this->Component;
+  const int component = source.array->GetNumberOfComponents() == 1 ? 0 : this->Component;
   const BoxReader readBox;
-  vtkDataArray* array = source.Array;
+  vtkDataArray* array = source.array;
   if (!vtkArrayDispatch::Dispatch::Execute(array, readBox, rows, count, component, values))
   {
     readBox(array, rows, count, component, values);
   }
-  if (source.Ghosts)
+  if (source.ghosts)
   {
     for (const vtkIdType row : rows)
     {
       for (std::int64_t i = 0; i < count; ++i, ++values)
       {
-        if (source.Ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
+        if (source.ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
         {
           *values = std::numeric_limits<double>::quiet_NaN();
         }
@@ -326,7 +325,7 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   }
 }
 
-bool AMRCellSource::hasDuplicates(int block) const { return this->Sources[block].Duplicates; }
+bool AMRCellSource::hasDuplicates(int block) const { return this->Sources[block].hasDuplicates; }
 
 void AMRCellSource::readDuplicates(int block, const Box& cells, unsigned char* duplicate) const
 {
@@ -336,7 +335,7 @@ void AMRCellSource::readDuplicates(int block, const Box& cells, unsigned char* d
     {
       for (std::int64_t i = 0; i < count; ++i)
       {
-        *duplicate++ = (source.Ghosts[first + i] & vtkDataSetAttributes::DUPLICATECELL) != 0;
+        *duplicate++ = (source.ghosts[first + i] & vtkDataSetAttributes::DUPLICATECELL) != 0;
       }
     });
 }

@@ -19,19 +19,20 @@ namespace exabricks
 struct AMRInput
 {
   Hierarchy hierarchy;       // levels without blocks are left out
-  std::vector<int> amrLevel; // [level of hierarchy], the AMR's own number of it
+  std::vector<int> amrLevel; // [level of the hierarchy], its number in the AMR
   std::vector<vtkSmartPointer<vtkImageData>> grids; // [block]
-  std::vector<Int3> offsets; // [block], of its AMR box in the grid's cells (ghost layers)
+  std::vector<Int3> offsets; // [block], of its AMR box in the cells of its grid (ghost layers)
   std::string fault;         // empty, or why it cannot be drawn
 };
 
+/// Reads boxes, origin and spacing, and no values.
 AMRInput readAMR(vtkOverlappingAMR* amr);
 
-/// Reads cells of the blocks' arrays, of any type; hidden cells as absent. `component` -1:
-/// magnitude.
+/// Reads cells of the blocks' arrays, of any type; hidden cells as absent ones.
 class AMRCellSource : public CellSource
 {
 public:
+  /// `component`: which one to read of an array with several; -1: their magnitude.
   AMRCellSource(const AMRInput& input, int component);
 
   /// The block's array, one value for each cell of its grid.
@@ -44,11 +45,11 @@ public:
 private:
   struct Source
   {
-    vtkSmartPointer<vtkDataArray> Array;
-    const unsigned char* Ghosts = nullptr; // vtkGhostType of each cell, or null
-    bool Duplicates = false;
-    Int3 GridCells{ 0 }; // cells of the grid along each axis
-    Int3 First{ 0 };     // what to subtract from a cell of the level to get a cell of the grid
+    vtkSmartPointer<vtkDataArray> array;
+    const unsigned char* ghosts = nullptr; // vtkGhostType of each cell, or null
+    bool hasDuplicates = false;
+    Int3 gridCells{ 0 }; // cells of the grid along each axis
+    Int3 first{ 0 };     // what to subtract from a cell of the level to get a cell of the grid
   };
   template <typename Visitor>
   void ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const;

@@ -18,9 +18,9 @@ class Compositor
 {
 public:
   /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
-  /// in pixels. Returns an empty string, or what went wrong; none, if nothing is drawn with good
-  /// reason: `progress` gave it up, or it is a peel after the first one that has no use for the
-  /// volume.
+  /// in pixels. Returns an empty string, or what went wrong. Returns nothing where nothing is drawn
+  /// for a good reason: `progress` gave the picture up, or it is a peel after the first one that has
+  /// no use for the volume.
   std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
     const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer,
     const VolumeRenderer::Progress& progress);
@@ -34,8 +34,8 @@ private:
 
   OpenGLPicture Picture;
   DepthPeel Peel;
-  Pixels Back;
-  Pixels Front; // of a peel
+  Pixels Back;  // the picture; of a peel, the part behind what is peeled
+  Pixels Front; // of a peel, the part before it
   std::vector<float> Depth;
 };
 }

@@ -21,8 +21,8 @@ namespace exabricks
 {
 namespace
 {
-// What VTK's code for a peel uses of a volume mapper's shader has VTK's names. Opacity is returned
-// as 0, so that the pieces behind are asked for too.
+// VTK's code for a peel uses names of VTK's shader for volumes, which are defined here. castRay
+// returns an opacity of 0, so that the code asks for the pieces behind too.
 constexpr const char* PiecesShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 texCoord;
@@ -156,7 +156,7 @@ bool DepthPeel::readPieces(
   const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (complete)
   {
-    const std::array<GLfloat, 4> nothing{}; // for pixels that the code leaves out
+    const std::array<GLfloat, 4> nothing{}; // for the pixels to which the code writes nothing
     glClearBufferfv(GL_COLOR, 0, nothing.data());
     glClearBufferfv(GL_COLOR, 1, nothing.data());
     this->setParameters(program);

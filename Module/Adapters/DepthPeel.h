@@ -33,7 +33,7 @@ struct RayPieces
 {
   std::vector<float> begin;
   std::vector<float> end;
-  bool any = false; // of some pixels, there is something to draw
+  bool any = false; // whether there is something to draw in any pixel
 };
 
 class DepthPeel
@@ -42,14 +42,14 @@ public:
   DepthPeel();
   ~DepthPeel();
 
-  /// Whether a peel renders `volume` at this moment. It then is the subject of the other members.
+  /// Whether a peel renders `volume` at this moment. If so, the other functions concern that peel.
   bool begin(vtkAbstractVolumeMapper* mapper, vtkVolume* volume);
 
-  /// Reads the pieces of rays behind what is peeled, and those before it. False: OpenGL refuses.
+  /// Reads the pieces of rays behind what is peeled, and those before it. False if OpenGL refuses.
   bool readPieces(
     vtkOpenGLRenderWindow* window, const Viewport& viewport, RayPieces& back, RayPieces& front);
 
-  /// Sets the pass's own textures in a program.
+  /// Sets the textures of VTK's pass in a program.
   void setParameters(vtkShaderProgram* program) const;
   /// Whether the colours before what is peeled go on from those of the last peel.
   bool continuesFront() const { return this->Continues; }
@@ -68,7 +68,7 @@ private:
   bool Continues = false;
   bool First = false;
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;                        // what the rest was made for
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // the one that the rest was made for
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Shaders; // by source
   vtkSmartPointer<vtkTextureObject> Targets[2];
   vtkSmartPointer<vtkTextureObject> Nothing;

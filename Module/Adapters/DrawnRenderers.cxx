@@ -54,7 +54,7 @@ void DrawnRenderers::OnEvent(vtkObject* caller, unsigned long event, void* self,
   {
     drawn.erase(ren);
   }
-  else if (!ren->GetSelector()) // whose pictures are not shown
+  else if (!ren->GetSelector()) // a selector's pictures are not shown
   {
     drawn[ren] = false;
   }

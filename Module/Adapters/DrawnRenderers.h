@@ -22,14 +22,16 @@ public:
   DrawnRenderers(const DrawnRenderers&) = delete;
   void operator=(const DrawnRenderers&) = delete;
 
+  /// Whether the volume is in the picture that `ren` is drawing.
   void set(vtkRenderer* ren, bool drawn);
+  /// Whether any of the renderers shows the volume.
   bool any() const;
 
 private:
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void*);
 
   vtkNew<vtkCallbackCommand> Command;
-  std::map<vtkRenderer*, bool> Drawn; // of renderers that are observed
+  std::map<vtkRenderer*, bool> Drawn; // [renderer that is observed]
 };
 }
 

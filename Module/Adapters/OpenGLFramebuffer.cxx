@@ -16,8 +16,8 @@ void readPixels(int x, int y, const Viewport& viewport, std::vector<float>& dept
   glReadPixels(x, y, viewport.width, viewport.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
 }
 
-// Reads from the framebuffer that is bound for reading, by way of one with a sample a pixel. OpenGL
-// copies depth between equal formats alone, and does not tell the format: one after the other.
+// Reads from the framebuffer that is bound for reading, by way of one with one sample a pixel.
+// OpenGL copies depth between equal formats alone, and does not tell the format: all are tried.
 bool readSamples(const Viewport& viewport, std::vector<float>& depth)
 {
   GLuint single = 0;
@@ -75,7 +75,7 @@ OpaqueDepth readDepth(
 {
   const OpenGLStateKeeper keeper(window->GetState());
   keeper.ignoreMasks();
-  noError(); // of others before
+  noError(); // forgets the errors of calls before
   depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
   GLint samples = 0;
   GLint target = 0;

@@ -18,13 +18,14 @@ struct Viewport
   int width = 0;
   int height = 0;
 };
+/// The one that OpenGL draws into at this moment.
 Viewport findViewport();
 
 enum class OpaqueDepth
 {
-  None,   // nothing is drawn so far
-  Read,   // into the vector
-  Refused // OpenGL does not tell
+  None,   // nothing opaque is drawn so far
+  Read,   // it is in the vector
+  Refused // OpenGL does not give it
 };
 
 /// Window depth in [0, 1] in the framebuffer that is bound for drawing, [height][width], row 0 at

@@ -92,7 +92,7 @@ bool OpenGLPicture::Upload(Texture& texture, const Viewport& viewport, Pixels& p
   {
     return false;
   }
-  noError(); // of others before
+  noError(); // forgets the errors of calls before
   return texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
            static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data()) &&
     noError();

@@ -27,7 +27,7 @@ public:
   OpenGLPicture();
   ~OpenGLPicture();
 
-  /// Blends a picture of the viewport's size over what is drawn so far. False: OpenGL refuses one
+  /// Blends a picture of the viewport's size over what is drawn so far. False if OpenGL refuses one
   /// so large.
   bool draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture);
   /// The same into the targets of a peel: the pieces of rays behind what is peeled, and those
@@ -44,7 +44,7 @@ private:
   void SetWindow(vtkOpenGLRenderWindow* window);
   bool Upload(Texture& texture, const Viewport& viewport, Pixels& picture);
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // what the rest was made for
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // the one that the rest was made for
   Texture Back;
   Texture Front;
   std::unique_ptr<vtkOpenGLQuadHelper> Over;

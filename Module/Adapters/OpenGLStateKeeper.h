@@ -24,7 +24,7 @@ public:
 
   /// Sets blending to "over", of premultiplied colours.
   void blendOver() const;
-  /// For framebuffers of one's own: the scissor rectangle and the stencil concern VTK's alone.
+  /// Switches scissor rectangle and stencil off, for framebuffers of our own: they concern VTK's.
   void ignoreMasks() const;
 
 private:
@@ -57,7 +57,7 @@ private:
   GLint UnpackBuffer;
 };
 
-/// Whether OpenGL had no error since this was asked last.
+/// Whether OpenGL has had no error since this was called last.
 bool noError();
 }
 

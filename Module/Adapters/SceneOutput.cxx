@@ -26,8 +26,8 @@ namespace exabricks
 {
 namespace
 {
-// Throws std::bad_alloc if there is too little memory for the blocks. To be asked for all of it
-// before the first one: where there is none for an object of VTK's own, VTK ends the process.
+// Throws std::bad_alloc if there is too little memory for the blocks. All of it is asked for before
+// the first block is made, as VTK ends the process where it has no memory for an object of its own.
 void expectMemory(const Hierarchy& hierarchy)
 {
   constexpr std::size_t bytesOfGrid = 8192; // with its attributes and arrays; VTK 9.1 takes 5100
@@ -62,8 +62,8 @@ void initialize(const Hierarchy& hierarchy, vtkOverlappingAMR* amr)
   }
 }
 
-// Marks the cells of the block that blocks of the next level cover: those of further levels lie
-// inside them.
+// Marks the cells of the block that blocks of the next level cover; blocks of further levels lie
+// inside those.
 void markRefined(
   const Hierarchy& hierarchy, const BlockIndex& index, const Block& block, unsigned char* marks)
 {
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkUniformGrid> makeGrid(const Hierarchy& hierarchy, const Block
   return grid;
 }
 
-// The values of a block, row by row: it may be large.
+// Writes the values of a block, row by row, as it may be large.
 void fill(const CellSource& cells, int block, const Box& box, float* to)
 {
   std::vector<double> row(static_cast<std::size_t>(box.size().x));
@@ -199,7 +199,7 @@ void writeTransfer(
   for (const TransferFunction::Point& point : transfer.points())
   {
     double value = range.min + point.value * (range.max - range.min);
-    if (value <= last) // a jump: VTK keeps one node for a value
+    if (value <= last) // at a jump, as VTK keeps one node alone for a value
     {
       value = std::nextafter(last, std::numeric_limits<double>::infinity());
     }

@@ -11,14 +11,14 @@ class vtkVolumeProperty;
 
 namespace exabricks
 {
-/// Blocks with a cell array `name`; cells that finer blocks cover are marked REFINEDCELL. Returns
-/// false if `progress` aborts.
+/// Writes blocks with a cell array `name`; cells that finer blocks cover are marked REFINEDCELL.
+/// Returns false if `progress` aborts, and throws std::bad_alloc.
 bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
   vtkOverlappingAMR* amr, const Progress& progress = {});
 
 void writeMesh(const TriangleMesh& mesh, vtkPolyData* output);
 
-/// Colours and opacities of the values that `transfer` is normalised from.
+/// Sets colours and opacities of the values in `range`, to which `transfer` is normalised.
 void writeTransfer(
   const TransferFunction& transfer, const Range& range, vtkVolumeProperty* property);
 }

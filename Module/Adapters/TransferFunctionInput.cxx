@@ -16,22 +16,22 @@ namespace exabricks
 {
 namespace
 {
-// Straight pieces that stand for a curved stretch between two nodes (midpoints, sharpness, colour
-// spaces other than RGB, logarithmic scale): enough for half a step of an 8-bit colour. VTK itself
-// draws them from tables of 256 to 1024 for the whole range. Functions of many nodes bend less
-// between two of them.
+// How many straight pieces stand for a curved stretch between two nodes (midpoints, sharpness,
+// colour spaces other than RGB, logarithmic scale). They are off by less than half a step of an
+// 8-bit colour; VTK itself draws from tables of 256 to 1024 entries for the whole range. Functions
+// of many nodes bend less between two of them, and need fewer pieces.
 int countPieces(int nodes) { return std::clamp(4096 / std::max(nodes, 1), 16, 256); }
 
 // The values at which a function has nodes, or bends between them.
 struct Bends
 {
-  std::set<double> Values;
+  std::set<double> values;
 
-  void AddStretch(
+  void addStretch(
     double from, double to, double midpoint, double sharpness, bool straight, bool log, int pieces)
   {
-    this->Values.insert(from);
-    this->Values.insert(to);
+    this->values.insert(from);
+    this->values.insert(to);
     if (straight && !log && midpoint == 0.5 && sharpness == 0.0)
     {
       return;
@@ -40,29 +40,29 @@ struct Bends
     for (int i = 1; i < pieces; ++i)
     {
       const double part = static_cast<double>(i) / pieces;
-      this->Values.insert(byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
+      this->values.insert(byFactor ? from * std::pow(to / from, part) : from + part * (to - from));
     }
-    this->Values.insert(from + midpoint * (to - from)); // where a sharp stretch jumps
+    this->values.insert(from + midpoint * (to - from)); // where a sharp stretch jumps
   }
 
-  void Add(vtkPiecewiseFunction* function)
+  void add(vtkPiecewiseFunction* function)
   {
     double node[4]; // value, opacity, midpoint, sharpness
     double next[4];
     for (int i = 0; i < function->GetSize(); ++i)
     {
       function->GetNodeValue(i, node);
-      this->Values.insert(node[0]);
+      this->values.insert(node[0]);
       if (i + 1 < function->GetSize())
       {
         function->GetNodeValue(i + 1, next);
-        this->AddStretch(node[0], next[0], node[2], node[3], true, function->GetUseLogScale(),
+        this->addStretch(node[0], next[0], node[2], node[3], true, function->GetUseLogScale(),
           countPieces(function->GetSize()));
       }
     }
   }
 
-  void Add(vtkColorTransferFunction* function)
+  void add(vtkColorTransferFunction* function)
   {
     const bool straight = function->GetColorSpace() == VTK_CTF_RGB;
     const bool log = function->GetScale() == VTK_CTF_LOG10;
@@ -71,11 +71,11 @@ struct Bends
     for (int i = 0; i < function->GetSize(); ++i)
     {
       function->GetNodeValue(i, node);
-      this->Values.insert(node[0]);
+      this->values.insert(node[0]);
       if (i + 1 < function->GetSize())
       {
         function->GetNodeValue(i + 1, next);
-        this->AddStretch(
+        this->addStretch(
           node[0], next[0], node[4], node[5], straight, log, countPieces(function->GetSize()));
       }
     }
@@ -94,15 +94,15 @@ Colors colorsOf(vtkColorTransferFunction* function)
   };
 }
 
-// A function that shows steps of colors, or null.
+// The function, if it shows steps of colors, else null.
 vtkDiscretizableColorTransferFunction* asDiscretized(vtkColorTransferFunction* function)
 {
   auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(function);
   return discretizable && discretizable->GetDiscretize() ? discretizable : nullptr;
 }
 
-// The values at which the steps end: VTK rounds in its own way, so they are searched for between
-// the middles of the steps.
+// Adds the values at which the steps end. VTK rounds in its own way, so they are searched for
+// between the middles of the steps.
 void addSteps(Bends& bends, vtkDiscretizableColorTransferFunction* function)
 {
   const int steps = static_cast<int>(function->GetNumberOfValues());
@@ -116,8 +116,8 @@ void addSteps(Bends& bends, vtkDiscretizableColorTransferFunction* function)
                : range[0] + part * (range[1] - range[0]);
   };
   const Colors colorAt = colorsOf(function);
-  bends.Values.insert(range[0]);
-  bends.Values.insert(range[1]);
+  bends.values.insert(range[0]);
+  bends.values.insert(range[1]);
   for (int step = 1; step < steps; ++step)
   {
     double below = middle(step - 1);
@@ -132,12 +132,13 @@ void addSteps(Bends& bends, vtkDiscretizableColorTransferFunction* function)
     {
       (colorAt(half) == color ? below : above) = half;
     }
-    bends.Values.insert(above);
+    bends.values.insert(above);
   }
 }
 
-// Where the function jumps at a bend, a point on each side of it too, one float away: the device
-// compares floats, and a value that sits on a node has to get what VTK gives it there.
+// Evaluates the function at its bends. Where it jumps at one, points on both sides of it are added,
+// one float away: the device compares floats, and a value that sits on a node has to get what VTK
+// gives it there.
 TransferFunction sampleAtBends(
   const Bends& bends, const Range& range, const std::function<glm::dvec4(double)>& evaluate)
 {
@@ -158,16 +159,16 @@ TransferFunction sampleAtBends(
       points.push_back({ value, color });
     }
   };
-  // By more than the slope on that side explains: where the range has few floats, a slope alone
-  // changes the color from one to the next.
+  // Whether the color changes by more than the slope on that side explains: where the range has few
+  // floats, a slope alone changes the color from one to the next.
   const auto jumps = [](const glm::dvec4& at, const glm::dvec4& beside, const glm::dvec4& beyond)
   {
     const glm::dvec4 change = glm::abs(beside - at) - 2.0 * glm::abs(beyond - beside);
     return std::max({ change.r, change.g, change.b, change.a }) > 1e-6;
   };
   add(0.0f, colorAt(range.min));
-  for (auto bend = bends.Values.lower_bound(range.min);
-       bend != bends.Values.end() && *bend <= range.max; ++bend)
+  for (auto bend = bends.values.lower_bound(range.min);
+       bend != bends.values.end() && *bend <= range.max; ++bend)
   {
     const double below = std::nextafter(*bend, -infinity);
     const double above = std::nextafter(*bend, infinity);
@@ -194,7 +195,7 @@ TransferFunction makeTransferFunction(
   vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity, const Range& range)
 {
   Bends bends;
-  bends.Add(opacity);
+  bends.add(opacity);
   vtkNew<vtkColorTransferFunction> ofValues;
   if (colors->GetIndexedLookup())
   {
@@ -209,7 +210,7 @@ TransferFunction makeTransferFunction(
   }
   else
   {
-    bends.Add(colors);
+    bends.add(colors);
   }
   return sampleAtBends(bends, range,
     [opacity, colorAt = colorsOf(colors)](double value)
@@ -223,8 +224,8 @@ TransferFunction makeTransferFunction(
   vtkPiecewiseFunction* gray, vtkPiecewiseFunction* opacity, const Range& range)
 {
   Bends bends;
-  bends.Add(opacity);
-  bends.Add(gray);
+  bends.add(opacity);
+  bends.add(gray);
   return sampleAtBends(bends, range,
     [=](double value)
     { return glm::dvec4(glm::dvec3(gray->GetValue(value)), opacity->GetValue(value)); });
@@ -237,7 +238,7 @@ TransferFunction makeTransferFunction(vtkPiecewiseFunction* opacity, const Range
   {
     return TransferFunction({ { 0.0, glm::dvec4(1.0) } });
   }
-  bends.Add(opacity);
+  bends.add(opacity);
   return sampleAtBends(bends, range,
     [=](double value) { return glm::dvec4(glm::dvec3(1.0), opacity->GetValue(value)); });
 }

@@ -42,7 +42,7 @@ glm::dmat4 findProjection(vtkRenderer* ren)
   return projection * toGLM(camera->GetModelViewTransformMatrix());
 }
 
-// The same without stereo, as seen from between the eyes.
+// The same from between the two eyes of a stereo picture.
 glm::dmat4 findCentralProjection(vtkRenderer* ren)
 {
   return toGLM(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(

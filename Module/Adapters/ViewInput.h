@@ -11,10 +11,10 @@ class vtkVolume;
 
 namespace exabricks
 {
-/// What opaque geometry is drawn with, for a picture of `width` x `height` pixels: perspective,
-/// parallel, sheared, off-axis and explicit projections, the eye of a stereo picture, the part of a
-/// tiled one, and the camera's model transform. The data's own coordinates are those before the
-/// volume's matrix, in which VTK measures the opacity unit distance.
+/// The camera that opaque geometry is drawn with, for a picture of `width` x `height` pixels:
+/// perspective, parallel, sheared, off-axis and explicit projections, the eye of a stereo picture,
+/// the part of a tiled one, and the camera's model transform. The data's own coordinates are those
+/// before the volume's matrix, in which VTK measures the opacity unit distance.
 View makeView(
   vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, int width, int height);
 }
