@@ -15,17 +15,17 @@ double distanceTo(const Rod& rod, const glm::dvec3& p)
   const glm::dvec3 axis = rod.to - rod.from;
   const double length = glm::length(axis);
   const double along = glm::dot(p - rod.from, axis) / length;
-  const double share = std::clamp(along / length, 0.0, 1.0);
-  const double radius = mix(rod.radiusFrom, rod.radiusTo, share);
+  const double fraction = std::clamp(along / length, 0.0, 1.0);
+  const double radius = mix(rod.radiusFrom, rod.radiusTo, fraction);
   if (rod.round)
   {
-    return std::max(glm::length(p - rod.from - share * axis) - radius, 0.0);
+    return std::max(glm::length(p - rod.from - fraction * axis) - radius, 0.0);
   }
   const double across = glm::length(p - rod.from - (along / length) * axis);
-  return std::hypot(std::max(across - radius, 0.0), along - share * length);
+  return std::hypot(std::max(across - radius, 0.0), along - fraction * length);
 }
 
-// The span without its sweep, and what is normal to it and to the chord.
+// The span without its sweep, and the direction normal to it and to the chord.
 struct WingFrame
 {
   glm::dvec3 span;
@@ -39,9 +39,9 @@ struct WingFrame
   }
 };
 
-double thicknessAt(const Wing& wing, double share)
+double thicknessAt(const Wing& wing, double fraction)
 {
-  return wing.thickness * mix(1.0, 1.0 / 3.0, share);
+  return wing.thickness * mix(1.0, 1.0 / 3.0, fraction);
 }
 
 double distanceTo(const Wing& wing, const glm::dvec3& p)
@@ -49,16 +49,16 @@ double distanceTo(const Wing& wing, const glm::dvec3& p)
   const WingFrame frame(wing);
   const double length = glm::length(frame.span);
   const double along = glm::dot(p - wing.root, frame.span) / length;
-  const double share = std::clamp(along / length, 0.0, 1.0);
-  const glm::dvec3 q = p - wing.root - share * (wing.tip - wing.root);
-  const double chord = mix(wing.rootChord, wing.tipChord, share);
+  const double fraction = std::clamp(along / length, 0.0, 1.0);
+  const glm::dvec3 q = p - wing.root - fraction * (wing.tip - wing.root);
+  const double chord = mix(wing.rootChord, wing.tipChord, fraction);
   const double ahead = std::max(std::abs(q.x) - chord, 0.0);
   const double above =
-    std::max(std::abs(glm::dot(q, frame.normal)) - thicknessAt(wing, share), 0.0);
-  return glm::length(glm::dvec3(ahead, above, along - share * length));
+    std::max(std::abs(glm::dot(q, frame.normal)) - thicknessAt(wing, fraction), 0.0);
+  return glm::length(glm::dvec3(ahead, above, along - fraction * length));
 }
 
-// A band between two rings of points; `lower` and `upper` are their first points.
+// Adds a band between two rings of points, of which `lower` and `upper` are the first.
 void joinRings(TriangleMesh& mesh, int lower, int upper, int points)
 {
   for (int i = 0; i < points; ++i)
@@ -121,15 +121,15 @@ void addWing(const Wing& wing, TriangleMesh& mesh)
   const WingFrame frame(wing);
   const int begin = static_cast<int>(mesh.points.size());
   constexpr int points = 16;
-  for (const double share : { 0.0, 1.0 })
+  for (const double fraction : { 0.0, 1.0 })
   {
-    const glm::dvec3 center = wing.root + share * (wing.tip - wing.root);
-    const double chord = mix(wing.rootChord, wing.tipChord, share);
+    const glm::dvec3 center = wing.root + fraction * (wing.tip - wing.root);
+    const double chord = mix(wing.rootChord, wing.tipChord, fraction);
     for (int i = 0; i < points; ++i)
     {
       const double turn = 2.0 * Pi * i / points;
       mesh.points.push_back(center + glm::dvec3(chord * std::cos(turn), 0.0, 0.0) +
-        thicknessAt(wing, share) * std::sin(turn) * frame.normal);
+        thicknessAt(wing, fraction) * std::sin(turn) * frame.normal);
     }
   }
   joinRings(mesh, begin, begin + points, points);
@@ -170,10 +170,10 @@ double wakeOf(const Rod& rod, const glm::dvec3& p, double length)
 {
   glm::dvec3 across = rod.to - rod.from;
   across.x = 0.0;
-  const double share =
+  const double fraction =
     std::clamp(glm::dot(p - rod.from, across) / std::max(glm::dot(across, across), 1e-9), 0.0, 1.0);
-  const glm::dvec3 q = p - rod.from - share * (rod.to - rod.from);
-  const double radius = mix(rod.radiusFrom, rod.radiusTo, share);
+  const glm::dvec3 q = p - rod.from - fraction * (rod.to - rod.from);
+  const double radius = mix(rod.radiusFrom, rod.radiusTo, fraction);
   if (q.x < -radius)
   {
     return 0.0;
@@ -181,7 +181,7 @@ double wakeOf(const Rod& rod, const glm::dvec3& p, double length)
   // Vortices leave the two sides in turn, so that the wake swings.
   const double swing = radius * std::sin(q.x / (1.3 * radius)) * smoothStep(0.0, 4.0 * radius, q.x);
   const double aside = glm::length(glm::dvec3(0.0, q.y - 0.6 * swing, q.z));
-  return smoothStep(-radius, radius, q.x) * bell(aside, radius + 0.09 * std::max(q.x, 0.0)) *
+  return smoothStep(-radius, radius, q.x) * gaussian(aside, radius + 0.09 * std::max(q.x, 0.0)) *
     std::exp(-std::max(q.x, 0.0) / length);
 }
 }

@@ -17,14 +17,14 @@ struct Rod
   bool round = true;
 };
 
-/// A thin lens whose chord lies along x, from its root to its tip.
+/// A thin lens from its root to its tip, whose chord lies along x.
 struct Wing
 {
   glm::dvec3 root; // middle of the chord
   glm::dvec3 tip;
-  double rootChord; // half
-  double tipChord;
-  double thickness; // half, at the root; at the tip a third of it
+  double rootChord; // half of it
+  double tipChord;  // half of it
+  double thickness; // half of it, at the root; at the tip it is a third of that
 };
 
 struct Body
@@ -32,7 +32,7 @@ struct Body
   std::vector<Rod> rods;
   std::vector<Wing> wings;
 
-  /// 0 inside.
+  /// 0 inside the body.
   double distance(const glm::dvec3& p) const;
   /// Closed surfaces, one for each part.
   TriangleMesh mesh() const;

@@ -8,17 +8,17 @@ namespace exabricks
 {
 namespace
 {
-// Share of the cloud at a place: 0 in the empty space around it.
+// How much of the cloud is at a place, in [0, 1]: 0 in the empty space around it.
 double envelope(const glm::dvec3& p)
 {
   const glm::dvec3 q = (p - 0.5) * glm::dvec3(1.0, 1.25, 1.1);
-  const double lumps = 0.5 * smoothNoise(p * 3.1, 3) + 0.5 * smoothNoise(p * 6.3, 4);
-  return smoothStep(0.54, 0.15, glm::length(q) + 0.45 * (lumps - 0.5));
+  const double noise = 0.5 * smoothNoise(p * 3.1, 3) + 0.5 * smoothNoise(p * 6.3, 4);
+  return smoothStep(0.54, 0.15, glm::length(q) + 0.45 * (noise - 0.5));
 }
 
 glm::dvec3 stirred(const glm::dvec3& p)
 {
-  return p + wander(p * 3.0, 0.09, 11) + wander(p * 7.0, 0.03, 12);
+  return p + randomDisplacement(p * 3.0, 0.09, 11) + randomDisplacement(p * 7.0, 0.03, 12);
 }
 
 double cloudValue(const glm::dvec3& p, double width)
@@ -30,21 +30,22 @@ double cloudValue(const glm::dvec3& p, double width)
   }
   const glm::dvec3 q = stirred(p);
   const double gas = turbulence(q * 6.0, octavesFor(1.0 / 6.0, width), 21);
-  const double thread = std::max(threads(q, 5.0, 0.09, 31), 0.75 * threads(q, 11.0, 0.13, 32));
-  return inside * (0.75 * thread * (0.45 + 0.8 * gas) + 0.28 * smoothStep(0.3, 0.9, gas)) +
+  const double filament =
+    std::max(filaments(q, 5.0, 0.09, 31), 0.75 * filaments(q, 11.0, 0.13, 32));
+  return inside * (0.75 * filament * (0.45 + 0.8 * gas) + 0.28 * smoothStep(0.3, 0.9, gas)) +
     0.02 * gas;
 }
 
-double cloudDrive(const glm::dvec3& p, int level)
+double cloudCriterion(const glm::dvec3& p, int level)
 {
   const double inside = envelope(p);
   if (inside <= 0.0)
   {
     return 0.0;
   }
-  const double thread = threads(stirred(p), 5.0, 0.2, 31);
-  const double wanted[] = { 0.25, 0.28, 0.3 };
-  return inside * (wanted[level] + 0.35 * thread);
+  const double filament = filaments(stirred(p), 5.0, 0.2, 31);
+  const double ofLevel[] = { 0.25, 0.28, 0.3 };
+  return inside * (ofLevel[level] + 0.35 * filament);
 }
 }
 
@@ -52,9 +53,9 @@ StandIn makeCloud(std::uint64_t leafCells)
 {
   Recipe recipe;
   recipe.levels = 4;
-  recipe.drive = cloudDrive;
-  recipe.clump = 2;
-  recipe.grain = 0.95;
+  recipe.criterion = cloudCriterion;
+  recipe.blockingFactor = 2;
+  recipe.noiseLength = 0.95;
   recipe.seed = 1;
   StandIn made = standInOf(StandInKind::Cloud, refineCells(recipe, 3.4, leafCells), cloudValue);
   made.transfer =

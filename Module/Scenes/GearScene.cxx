@@ -48,24 +48,25 @@ double gearValue(const Body& body, const glm::dvec3& position, double width)
   {
     return 0.0;
   }
-  const double air = 0.03 * smoothNoise(position * 6.0, 66) + 0.75 * bell(distance, 0.012);
+  const double air = 0.03 * smoothNoise(position * 6.0, 66) + 0.75 * gaussian(distance, 0.012);
   const double behind = smoothStep(0.4, 1.0, position.x);
-  const glm::dvec3 p = position + wander(position * 7.0, 0.01 + 0.06 * behind, 61) +
-    wander(position * 19.0, 0.012, 62);
+  const glm::dvec3 p = position + randomDisplacement(position * 7.0, 0.01 + 0.06 * behind, 61) +
+    randomDisplacement(position * 19.0, 0.012, 62);
   const double wake = wakes(body, p, 0.4);
   if (wake < Negligible)
   {
     return air;
   }
   const double rough = turbulence(position * 14.0, octavesFor(1.0 / 14.0, width), 63);
-  const double worms = std::max(threads(p, 16.0, 0.15, 64), 0.8 * threads(p, 34.0, 0.17, 65));
-  return air + wake * (0.1 + 0.25 * rough + 1.2 * worms * rough);
+  const double filament =
+    std::max(filaments(p, 16.0, 0.15, 64), 0.8 * filaments(p, 34.0, 0.17, 65));
+  return air + wake * (0.1 + 0.25 * rough + 1.2 * filament * rough);
 }
 
-double gearDrive(const Body& body, const glm::dvec3& p, int level)
+double gearCriterion(const Body& body, const glm::dvec3& p, int level)
 {
   const double reach[] = { 0.25, 0.15, 0.09 };
-  return bell(body.distance(p), reach[level]) + 0.8 * wakes(body, p, 0.4);
+  return gaussian(body.distance(p), reach[level]) + 0.8 * wakes(body, p, 0.4);
 }
 }
 
@@ -75,8 +76,9 @@ StandIn makeGear(std::uint64_t leafCells)
   Recipe recipe;
   recipe.size = SceneSize;
   recipe.levels = 4;
-  recipe.drive = [body](const glm::dvec3& p, int level) { return gearDrive(*body, p, level); };
-  recipe.grain = 1.5;
+  recipe.criterion = [body](const glm::dvec3& p, int level)
+  { return gearCriterion(*body, p, level); };
+  recipe.noiseLength = 1.5;
   recipe.seed = 4;
   StandIn made =
     standInOf(StandInKind::Gear, refineBlocks(recipe, 27, { 0.3, 0.25, 0.25 }, 0.3, leafCells),

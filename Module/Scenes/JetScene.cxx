@@ -41,34 +41,34 @@ Body makeJetBody()
   return body;
 }
 
-// Vortices of the wings' tips, which roll in downstream; 0 off them.
+// The vortices of the wings' tips, which roll in downstream, in [0, 1].
 double tipVortices(const glm::dvec3& p, double width)
 {
   const double behind = p.x - 0.92;
   const double y = std::abs(p.y - Axis) - 0.52 + 0.05 * smoothStep(0.0, 1.0, behind);
   const double z = p.z - Height - 0.02 + 0.03 * behind;
   return smoothStep(-0.02, 0.02, behind) *
-    bell(std::hypot(y, z), width * (1.0 + 0.8 * std::max(behind, 0.0)));
+    gaussian(std::hypot(y, z), width * (1.0 + 0.8 * std::max(behind, 0.0)));
 }
 
-// Hot air of the two engines.
+// The hot air of the two engines, in [0, 1].
 double jets(const glm::dvec3& p, double width)
 {
   const double behind = p.x - 0.73;
   const double r = std::hypot(std::abs(p.y - Axis) - 0.19, p.z - Height + 0.05);
-  return smoothStep(0.0, 0.03, behind) * bell(r, width * (1.0 + 1.6 * std::max(behind, 0.0))) *
+  return smoothStep(0.0, 0.03, behind) * gaussian(r, width * (1.0 + 1.6 * std::max(behind, 0.0))) *
     std::exp(-std::max(behind, 0.0) / 0.9);
 }
 
-// Of the wings' trailing edges and of the fuselage.
+// The wake of the wings' trailing edges and of the fuselage, in [0, 1].
 double wake(const glm::dvec3& p, double width)
 {
   const double across = std::abs(p.y - Axis);
   const double edge = 0.82 + 0.3 * across;
   const double sheet = smoothStep(edge - 0.02, edge + 0.04, p.x) * smoothStep(0.56, 0.48, across) *
-    bell(p.z - Height - 0.03 * across, width) * std::exp(-std::max(p.x - edge, 0.0) / 0.35);
+    gaussian(p.z - Height - 0.03 * across, width) * std::exp(-std::max(p.x - edge, 0.0) / 0.35);
   const double tail = smoothStep(1.1, 1.25, p.x) *
-    bell(std::hypot(across, p.z - Height - 0.05), 2.5 * width) *
+    gaussian(std::hypot(across, p.z - Height - 0.05), 2.5 * width) *
     std::exp(-std::max(p.x - 1.2, 0.0) / 0.4);
   return std::max(sheet, tail);
 }
@@ -80,9 +80,9 @@ double jetValue(const Body& body, const glm::dvec3& position, double width)
   {
     return 0.0;
   }
-  const glm::dvec3 p =
-    position + wander(position * 16.0, 0.01, 71) + wander(position * 37.0, 0.006, 72);
-  const double air = 0.04 * smoothNoise(position * 5.0, 75) + 0.6 * bell(distance, 0.009) +
+  const glm::dvec3 p = position + randomDisplacement(position * 16.0, 0.01, 71) +
+    randomDisplacement(position * 37.0, 0.006, 72);
+  const double air = 0.04 * smoothNoise(position * 5.0, 75) + 0.6 * gaussian(distance, 0.009) +
     0.95 * tipVortices(p, 0.012) * std::exp(-std::max(p.x - 0.92, 0.0) / 0.9);
   const double hot = jets(p, 0.03);
   const double slow = wake(p, 0.022);
@@ -91,21 +91,22 @@ double jetValue(const Body& body, const glm::dvec3& position, double width)
     return air;
   }
   const double rough = turbulence(position * 20.0, octavesFor(1.0 / 20.0, width), 73);
-  const double worms = threads(p, 26.0, 0.17, 74);
-  return air + hot * (0.2 + 0.5 * rough + 0.5 * worms) + slow * (0.15 + 0.3 * rough + 0.7 * worms);
+  const double filament = filaments(p, 26.0, 0.17, 74);
+  return air + hot * (0.2 + 0.5 * rough + 0.5 * filament) +
+    slow * (0.15 + 0.3 * rough + 0.7 * filament);
 }
 
-double jetDrive(const Body& body, const glm::dvec3& p, int level)
+double jetCriterion(const Body& body, const glm::dvec3& p, int level)
 {
   const double reach[] = { 0.16, 0.1, 0.06 };
-  const double wanted[] = { 0.55, 0.5, 0.5 };
+  const double ofLevel[] = { 0.55, 0.5, 0.5 };
   const double near = reach[level];
-  const double most = std::max({ bell(body.distance(p), near), tipVortices(p, 0.6 * near),
+  const double most = std::max({ gaussian(body.distance(p), near), tipVortices(p, 0.6 * near),
     jets(p, 0.6 * near), wake(p, 0.5 * near) });
-  return wanted[level] * smoothStep(0.15, 0.8, most);
+  return ofLevel[level] * smoothStep(0.15, 0.8, most);
 }
 
-// The scene in units of the lattice.
+// Moves and scales the scene to units of the lattice.
 void moveToLattice(StandIn& made)
 {
   const double scale = FinestCell / made.hierarchy.spacing.x;
@@ -125,9 +126,10 @@ StandIn makeJet(StandInKind kind, std::uint64_t leafCells)
   Recipe recipe;
   recipe.size = SceneSize;
   recipe.levels = 4;
-  recipe.drive = [body](const glm::dvec3& p, int level) { return jetDrive(*body, p, level); };
-  recipe.clump = 3;
-  recipe.grain = 1.1;
+  recipe.criterion = [body](const glm::dvec3& p, int level)
+  { return jetCriterion(*body, p, level); };
+  recipe.blockingFactor = 3;
+  recipe.noiseLength = 1.1;
   recipe.seed = 5;
   StandIn made = standInOf(kind, refineCells(recipe, 5.29, leafCells),
     [body](const glm::dvec3& p, double width) { return jetValue(*body, p, width); });

@@ -9,8 +9,8 @@
 
 namespace exabricks
 {
-/// Disjoint boxes of at most `most` cells a side that make up the cells of `box` whose mark is 1
-/// (x fastest). They grow along x, then y, then z. Clears the marks.
+/// Makes disjoint boxes of at most `most` cells along each side of the cells of `box` whose mark is
+/// 1 (x fastest). They grow along x, then y, then z. Clears the marks.
 std::vector<Box> mergeCells(const Box& box, std::vector<unsigned char>& marks, std::int64_t most);
 }
 

@@ -16,10 +16,10 @@ inline double smoothStep(double from, double to, double x)
   return t * t * (3.0 - 2.0 * t);
 }
 
-inline double mix(double a, double b, double share) { return a + (b - a) * share; }
+inline double mix(double a, double b, double fraction) { return a + (b - a) * fraction; }
 
 /// 1 at 0, 1/e at `width`.
-inline double bell(double x, double width) { return std::exp(-(x * x) / (width * width)); }
+inline double gaussian(double x, double width) { return std::exp(-(x * x) / (width * width)); }
 
 /// The lattice points around a position: random bits of each, and how much it weighs.
 struct NoiseCorners
@@ -29,7 +29,7 @@ struct NoiseCorners
 
   NoiseCorners(const glm::dvec3& p, std::uint32_t seed)
   {
-    // by hand: without SSE4.1 floor() is a call
+    // Rounded down by hand, as floor() is a call without SSE4.1.
     const auto below = [](double x)
     {
       const std::int64_t n = static_cast<std::int64_t>(x);
@@ -66,7 +66,7 @@ inline double smoothNoise(const glm::dvec3& p, std::uint32_t seed)
   return sum / 4294967295.0;
 }
 
-/// Octaves of turbulence whose longest waves are `length` that cells of `width` can hold.
+/// How many octaves of turbulence, whose longest waves are `length`, cells of `width` can hold.
 inline int octavesFor(double length, double width)
 {
   return std::clamp(static_cast<int>(std::log2(length / (2.0 * width))) + 1, 1, 7);
@@ -83,14 +83,14 @@ inline double turbulence(glm::dvec3 p, int octaves, std::uint32_t seed)
     sum += amplitude * smoothNoise(p, seed + octave);
     weight += amplitude;
     amplitude *= 0.55;
-    // turned, so that the lattices of the octaves do not show
+    // Each octave is turned, so that their lattices do not show.
     p = glm::dvec3(1.6 * p.x + 1.2 * p.y, 1.6 * p.y - 1.2 * p.x, 2.0 * p.z) + 17.3;
   }
   return sum / weight;
 }
 
 /// Up to 1 where two sheets of noise meet: threads in space, `waves` in a unit length.
-inline double threads(const glm::dvec3& p, double waves, double width, std::uint32_t seed)
+inline double filaments(const glm::dvec3& p, double waves, double width, std::uint32_t seed)
 {
   const double a = smoothNoise(p * waves, seed) - 0.5;
   const double b = smoothNoise(p * waves + 5.5, seed + 50) - 0.5;
@@ -98,7 +98,7 @@ inline double threads(const glm::dvec3& p, double waves, double width, std::uint
 }
 
 /// A displacement of up to `amount` along each axis.
-inline glm::dvec3 wander(const glm::dvec3& p, double amount, std::uint32_t seed)
+inline glm::dvec3 randomDisplacement(const glm::dvec3& p, double amount, std::uint32_t seed)
 {
   const NoiseCorners corners(p, seed);
   glm::dvec3 sum(0.0);

@@ -12,8 +12,8 @@ namespace exabricks
 {
 namespace
 {
-// Tiles of level 0, and what is merged of finer levels: long enough for few blocks, short enough
-// for threads to share the work.
+// Longest side of a block, of level 0 and of what is merged of finer levels: long enough for few
+// blocks, short enough for threads to divide the work between them.
 constexpr std::int64_t TileCells = 32;
 
 Hierarchy coarseGrid(const Int3& cells, std::int64_t tile, int levels)
@@ -37,28 +37,28 @@ Hierarchy coarseGrid(const Int3& cells, std::int64_t tile, int levels)
   return hierarchy;
 }
 
-// The cells of a block that are refined, as blocks of the next level.
+// Makes blocks of the next level of the cells of a block that are refined.
 std::vector<Block> refineBlock(const Recipe& recipe, const Block& block, double cellSize)
 {
-  const std::int64_t clump = recipe.clump;
+  const std::int64_t blockingFactor = recipe.blockingFactor;
   const glm::dvec3 shift(19.1 * recipe.seed + 7.7 * block.level);
-  const Box clumps = outwardToCells(block.cells, clump);
+  const Box groups = outwardToCells(block.cells, blockingFactor);
   std::vector<unsigned char> marks;
-  marks.reserve(static_cast<std::size_t>(clumps.volume()));
+  marks.reserve(static_cast<std::size_t>(groups.volume()));
   bool any = false;
   Int3 p;
-  for (p.z = clumps.lo.z; p.z < clumps.hi.z; ++p.z)
+  for (p.z = groups.lo.z; p.z < groups.hi.z; ++p.z)
   {
-    for (p.y = clumps.lo.y; p.y < clumps.hi.y; ++p.y)
+    for (p.y = groups.lo.y; p.y < groups.hi.y; ++p.y)
     {
-      for (p.x = clumps.lo.x; p.x < clumps.hi.x; ++p.x)
+      for (p.x = groups.lo.x; p.x < groups.hi.x; ++p.x)
       {
         const glm::dvec3 center = glm::dvec3(p) + 0.5;
-        const double size = cellSize * static_cast<double>(clump);
-        const double drive = recipe.drive(center * size, block.level);
-        const bool refined = drive > 0.0 &&
-          drive > smoothNoise(center / recipe.grain + shift,
-                    recipe.seed + 1000u * static_cast<std::uint32_t>(block.level));
+        const double size = cellSize * static_cast<double>(blockingFactor);
+        const double criterion = recipe.criterion(center * size, block.level);
+        const bool refined = criterion > 0.0 &&
+          criterion > smoothNoise(center / recipe.noiseLength + shift,
+                        recipe.seed + 1000u * static_cast<std::uint32_t>(block.level));
         any = any || refined;
         marks.push_back(refined);
       }
@@ -67,10 +67,10 @@ std::vector<Block> refineBlock(const Recipe& recipe, const Block& block, double 
   std::vector<Block> children;
   if (any)
   {
-    for (const Box& merged : mergeCells(clumps, marks, TileCells / clump))
+    for (const Box& merged : mergeCells(groups, marks, TileCells / blockingFactor))
     {
-      // The domain's sides need not be whole clumps.
-      const Box cells = intersection(scaled(merged, clump), block.cells);
+      // The domain's sides need not consist of whole groups.
+      const Box cells = intersection(scaled(merged, blockingFactor), block.cells);
       children.push_back({ block.level + 1, scaled(cells, 2) });
     }
   }
@@ -80,7 +80,8 @@ std::vector<Block> refineBlock(const Recipe& recipe, const Block& block, double 
 Hierarchy refineOnGrid(const Recipe& recipe, double coarseCellsPerUnit)
 {
   const Int3 cells = glm::max(Int3(glm::round(recipe.size * coarseCellsPerUnit)), Int3(1));
-  Hierarchy hierarchy = coarseGrid(cells, TileCells / recipe.clump * recipe.clump, recipe.levels);
+  Hierarchy hierarchy =
+    coarseGrid(cells, TileCells / recipe.blockingFactor * recipe.blockingFactor, recipe.levels);
   const double finest = 1.0 / (coarseCellsPerUnit * static_cast<double>(hierarchy.cellWidth[0]));
   hierarchy.spacing = glm::dvec3(finest);
   std::size_t begin = 0;
@@ -139,15 +140,15 @@ double leavesPerCoarseBlock(const std::vector<double>& refined, double factor)
 {
   double leaves = 1.0;
   double ofLevel = 1.0;
-  for (const double share : refined)
+  for (const double fraction : refined)
   {
-    leaves += 7.0 * ofLevel * factor * share;
-    ofLevel *= 8.0 * factor * share;
+    leaves += 7.0 * ofLevel * factor * fraction;
+    ofLevel *= 8.0 * factor * fraction;
   }
   return leaves;
 }
 
-// The blocks' boxes in blocks as few boxes in cells.
+// Adds the blocks as few boxes. `unit`: cells along each side of a block.
 void addMerged(const std::vector<Int3>& blocks, int level, std::int64_t unit, Hierarchy& hierarchy)
 {
   Box bounds;
@@ -185,22 +186,22 @@ std::uint64_t countLeafCells(const Hierarchy& hierarchy)
 
 Hierarchy refineCells(const Recipe& recipe, double leavesPerCoarseCell, std::uint64_t leafCells)
 {
-  const double wanted = static_cast<double>(leafCells);
+  const double requested = static_cast<double>(leafCells);
   const double volume = recipe.size.x * recipe.size.y * recipe.size.z;
-  double cellsPerUnit = std::cbrt(wanted / (leavesPerCoarseCell * volume));
+  double cellsPerUnit = std::cbrt(requested / (leavesPerCoarseCell * volume));
   Hierarchy best;
   double least = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < 6 && least > 0.08; ++attempt)
   {
     Hierarchy hierarchy = refineOnGrid(recipe, cellsPerUnit);
     const double found = static_cast<double>(countLeafCells(hierarchy));
-    const double error = std::abs(found / wanted - 1.0);
+    const double error = std::abs(found / requested - 1.0);
     if (error < least)
     {
       least = error;
       best = std::move(hierarchy);
     }
-    cellsPerUnit *= std::cbrt(wanted / found);
+    cellsPerUnit *= std::cbrt(requested / found);
   }
   return best;
 }
@@ -209,8 +210,8 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
   double noise, std::uint64_t leafCells)
 {
   const double cellsPerBlock = std::pow(static_cast<double>(blockCells), 3.0);
-  const double wanted = static_cast<double>(leafCells) / cellsPerBlock;
-  const Int3 grid = chooseGrid(recipe.size, wanted / leavesPerCoarseBlock(refined, 1.0));
+  const double requested = static_cast<double>(leafCells) / cellsPerBlock;
+  const Int3 grid = chooseGrid(recipe.size, requested / leavesPerCoarseBlock(refined, 1.0));
   // A grid of few blocks misses the number: more or less is refined, alike on all levels.
   const double coarseBlocks = static_cast<double>(grid.x * grid.y * grid.z);
   double lower = 0.7;
@@ -218,7 +219,7 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
   for (int i = 0; i < 40; ++i)
   {
     const double middle = 0.5 * (lower + upper);
-    (leavesPerCoarseBlock(refined, middle) * coarseBlocks < wanted ? lower : upper) = middle;
+    (leavesPerCoarseBlock(refined, middle) * coarseBlocks < requested ? lower : upper) = middle;
   }
 
   Hierarchy hierarchy = coarseGrid(grid * std::int64_t(blockCells), 4 * blockCells, recipe.levels);
@@ -245,24 +246,24 @@ Hierarchy refineBlocks(const Recipe& recipe, int blockCells, const std::vector<d
   for (int level = 0; level + 1 < recipe.levels; ++level)
   {
     const double blockSize = std::ldexp(coarseBlock, -level);
-    std::vector<std::pair<double, std::size_t>> order; // least first: the most wanted
+    std::vector<std::pair<double, std::size_t>> order; // the first ones are refined
     for (std::size_t b = 0; b < blocks.size(); ++b)
     {
       const glm::dvec3 center = glm::dvec3(blocks[b]) + 0.5;
-      const double luck =
-        smoothNoise(center / recipe.grain, recipe.seed + static_cast<std::uint32_t>(level));
+      const double random =
+        smoothNoise(center / recipe.noiseLength, recipe.seed + static_cast<std::uint32_t>(level));
       order.emplace_back(
-        noise * luck - recipe.drive(hierarchy.origin + center * blockSize, level), b);
+        noise * random - recipe.criterion(hierarchy.origin + center * blockSize, level), b);
     }
     std::sort(order.begin(), order.end());
     // The last level makes up for what was rounded on the others.
     const double count = level + 2 < recipe.levels
       ? lower * refined[level] * static_cast<double>(order.size())
-      : (wanted - leaves) / 7.0;
+      : (requested - leaves) / 7.0;
     order.resize(static_cast<std::size_t>(
       std::clamp(std::round(count), 1.0, static_cast<double>(order.size()))));
     leaves += 7.0 * static_cast<double>(order.size());
-    // in the order of space, for the merging
+    // In the order of space, for the merging.
     std::sort(
       order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     std::vector<Int3> chosen;

@@ -3,9 +3,9 @@
 // large to ship: the same kind of structure for its bricks and regions, in any size.
 //
 // What a stand-in shares with its original are the mean cells per brick and the kind of hierarchy
-// (octree crumbs, large blocks, four levels around a thin body). How many levels the others have
-// and how many cells lie on each level, the paper does not say: those are this project's choice,
-// the same at every size. No file is read, and equal calls give equal results.
+// (octrees of small fragments, large blocks, four levels around a thin body). How many levels the
+// others have and how many cells lie on each level, the paper does not say: those are this
+// project's choice, the same at every size. No file is read, and equal calls give equal results.
 #ifndef ExaBricksScenesStandIn_h
 #define ExaBricksScenesStandIn_h
 
@@ -36,10 +36,11 @@ constexpr int StandInKinds = 8;
 /// What is known of a stand-in before it is made.
 struct StandInDescription
 {
-  const char* name;          // "Impact-5K"
-  double cellsPerBrick;      // of the original: scalars against bricks, in the paper's table
-  std::vector<double> share; // [level], of the leaf cells: the stand-in's own, to 0.07
-  /// With fewer leaf cells there are too few blocks to tell the levels apart: more are made.
+  const char* name;     // "Impact-5K"
+  double cellsPerBrick; // of the original, from the memory of scalars and bricks in the paper
+  std::vector<double> fractions; // [level], of the leaf cells, to within 0.07: not from the paper
+  /// With fewer leaf cells there would be too few blocks to tell the levels apart; so many are
+  /// made.
   std::uint64_t leastLeafCells;
   bool hasMesh;
 };
@@ -68,18 +69,18 @@ struct StandIn
   /// Evaluates the field at the centres of the cells that are asked for. Its detail ends at the
   /// width of these cells, as that of a simulation does.
   std::shared_ptr<const CellSource> cells;
-  /// All values lie in it, not all of it is reached: `transfer` is normalised to it.
+  /// All values lie in it, though they need not reach its ends; `transfer` is normalised to it.
   Range range;
   TransferFunction transfer;
   double opacityUnitDistance = 1.0; // world length
   StandInCamera camera;
   TriangleMesh mesh; // empty for scenes without
 
-  /// `transfer` for values that are normalised to another range, as Scalars::range.
+  /// `transfer` for values that are normalised to another range, such as Values::range.
   TransferFunction transferFor(const Range& other) const;
 };
 
-/// With about `leafCells` leaf cells, if that is not less than the least.
+/// With about `leafCells` leaf cells, at least StandInDescription::leastLeafCells.
 StandIn makeStandIn(StandInKind kind, std::uint64_t leafCells);
 }
 

@@ -23,18 +23,18 @@ std::string nameOf(const ::testing::TestParamInfo<StandInKind>& info)
 // The sum of the leaf cells of each level, as shares of all.
 std::vector<double> sharesOf(const std::vector<Brick>& bricks, int levels)
 {
-  std::vector<double> share(levels, 0.0);
+  std::vector<double> fraction(levels, 0.0);
   double all = 0.0;
   for (const Brick& brick : bricks)
   {
-    share[brick.level] += static_cast<double>(brick.numberOfCells());
+    fraction[brick.level] += static_cast<double>(brick.numberOfCells());
     all += static_cast<double>(brick.numberOfCells());
   }
-  for (double& s : share)
+  for (double& s : fraction)
   {
     s /= all;
   }
-  return share;
+  return fraction;
 }
 
 // A sum that depends on every value and its place.
@@ -82,12 +82,12 @@ TEST_P(StandIns, HaveTheStructureTheyStandForAtEverySize)
       static_cast<double>(leaves.cells) / static_cast<double>(bricks.size());
     EXPECT_NEAR(cellsPerBrick / description.cellsPerBrick, 1.0, 0.25) << asked << " leaf cells";
 
-    const int levels = static_cast<int>(description.share.size());
+    const int levels = static_cast<int>(description.fractions.size());
     ASSERT_EQ(made.hierarchy.levels(), levels);
-    const std::vector<double> share = sharesOf(bricks, levels);
+    const std::vector<double> fraction = sharesOf(bricks, levels);
     for (int level = 0; level < levels; ++level)
     {
-      EXPECT_NEAR(share[level], description.share[level], 0.07)
+      EXPECT_NEAR(fraction[level], description.fractions[level], 0.07)
         << "level " << level << " of " << asked << " leaf cells";
     }
   }
@@ -144,14 +144,14 @@ TEST_P(StandIns, HaveValuesInTheirRangeAndEmptySpace)
     const glm::dvec3 size(hi - lo);
     return size.x * size.y * size.z;
   };
-  double share = 0.0;
+  double fraction = 0.0;
   for (const layout::ActiveBox& box :
     selectActiveRegions(subject, made.transferFor(values.range)).boxes)
   {
-    share += volume(box.lo, box.hi) / volume(glm::ivec3(0), structure->tree.size);
+    fraction += volume(box.lo, box.hi) / volume(glm::ivec3(0), structure->tree.size);
   }
-  EXPECT_GT(share, 0.1) << "the transfer function shows too little";
-  EXPECT_LT(share, 0.97) << "the transfer function skips too little";
+  EXPECT_GT(fraction, 0.1) << "the transfer function shows too little";
+  EXPECT_LT(fraction, 0.97) << "the transfer function skips too little";
 
   // Most of what is not empty is nearly transparent, some is dense.
   double visible = 0.0;
