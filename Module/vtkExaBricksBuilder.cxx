@@ -84,7 +84,7 @@ vtkSmartPointer<vtkDataArray> convertToCells(vtkImageData* grid, vtkDataArray* p
 
 struct vtkExaBricksBuilder::vtkInternals
 {
-  std::shared_ptr<const exabricks::Structure> Structure; // of the last build, to be kept
+  std::shared_ptr<const exabricks::Structure> Structure; // kept while the boxes stay the same
   bool ReportedConversion = false;
   exabricks::UnfinishedRun Unfinished;
 
@@ -244,7 +244,8 @@ vtkExaBricksBuilder::vtkExaBricksBuilder()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
-  // There from the start, so that it can be asked even if a filter before this one fails.
+  // The output is there from the start, so that it can be asked even if a filter before this one
+  // fails.
   vtkNew<vtkExaBricksData> output;
   this->GetExecutive()->SetOutputData(0, output);
 }
@@ -300,8 +301,8 @@ int vtkExaBricksBuilder::RequestData(
 
   try
   {
-    // Without a volume the output stays empty, and the reason has been said: on 0 the executive
-    // would add an unclear error of its own.
+    // Without a volume the output stays empty, and the reason has been reported: if this returned
+    // 0, the executive would add an unclear error of its own.
     if (auto bricked = this->Internals->Build(amr))
     {
       output->SetBrickedVolume(std::move(bricked));

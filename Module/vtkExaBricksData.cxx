@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkExaBricksData);
 
 namespace
 {
-// Boxes as voxels, eight points each.
+// Writes boxes as voxels, with eight points each.
 class VoxelWriter
 {
 public:
@@ -63,7 +63,7 @@ private:
   vtkNew<vtkCellArray> Cells;
 };
 
-// From normalised to the array's own values.
+// Sets a range of normalised values, in the array's own values; (1, 0) if it is empty.
 void setRange(vtkDoubleArray* array, vtkIdType i, const exabricks::ValueRange& range,
   const exabricks::Range& all)
 {

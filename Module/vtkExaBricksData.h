@@ -41,9 +41,9 @@ public:
 
   void Initialize() override;
   void ShallowCopy(vtkDataObject* source) override;
-  /// What it holds never changes, so that a deep copy may share it too.
+  /// Shares what it holds, as that never changes.
   void DeepCopy(vtkDataObject* source) override;
-  /// KiB.
+  /// In KiB.
   unsigned long GetActualMemorySize() override;
 
   ///@{
@@ -57,7 +57,7 @@ public:
   vtkIdType GetNumberOfRegions();
   ///@}
 
-  /// Leaf cells without a value: hidden, NaN or infinite.
+  /// Number of leaf cells without a value, as they are hidden, NaN or infinite.
   vtkIdType GetNumberOfAbsentCells();
 
   /// Range of the leaf cells' values; (1, 0) if there are none.
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Seconds that it took to build bricks and regions (0 if they were kept from before), and to read
-   * and normalise the values.
+   * Seconds that it took to build bricks and regions, 0 if those of the data before were kept; and
+   * to read and normalise the values.
    */
   double GetStructureTime();
   double GetScalarsTime();

@@ -39,7 +39,7 @@ std::string lowerCase(std::string text)
 
 struct vtkExaBricksSceneSource::vtkInternals
 {
-  StandIn Made; // of the last run, without blocks
+  StandIn Made; // by the last run, without its blocks, cells and triangles
   exabricks::UnfinishedRun Unfinished;
 };
 
@@ -59,12 +59,12 @@ vtkMTimeType vtkExaBricksSceneSource::GetMTime()
 
 void vtkExaBricksSceneSource::SetSceneName(const char* name)
 {
-  const std::string wanted = lowerCase(name ? name : "");
+  const std::string requested = lowerCase(name ? name : "");
   std::string names;
   for (int scene = 0; scene < exabricks::StandInKinds; ++scene)
   {
     const char* known = exabricks::describe(static_cast<StandInKind>(scene)).name;
-    if (lowerCase(known) == wanted)
+    if (lowerCase(known) == requested)
     {
       this->SetScene(scene);
       return;
@@ -162,7 +162,7 @@ void vtkExaBricksSceneSource::InitializeCamera(vtkCamera* camera)
   this->Update();
   if (this->Internals->Made.range.empty())
   {
-    return; // why has been said
+    return; // the update has reported why
   }
   const exabricks::StandInCamera& own = this->Internals->Made.camera;
   camera->SetParallelProjection(0);
@@ -183,7 +183,7 @@ void vtkExaBricksSceneSource::InitializeProperty(vtkVolumeProperty* property)
   const StandIn& made = this->Internals->Made;
   if (made.range.empty())
   {
-    return; // why has been said
+    return; // the update has reported why
   }
   exabricks::writeTransfer(made.transfer, made.range, property);
   property->SetScalarOpacityUnitDistance(made.opacityUnitDistance);

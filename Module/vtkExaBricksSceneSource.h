@@ -5,10 +5,10 @@
  *
  * The originals are not free or too large to ship. The stand-ins share with them what the time of
  * rendering depends on: the mean number of cells in a brick, and the kind of hierarchy. Cloud and
- * the three times of Impact are octrees of crumbs, Wind and Gear have large blocks, Exajet has four
- * levels around a thin body, on a lattice far from 0. How many cells lie on each level the paper
- * does not say: that is the stand-ins' own, and the same for every number of cells. Equal settings
- * make equal data.
+ * the three times of Impact are octrees of small fragments, Wind and Gear have large blocks, Exajet
+ * has four levels around a thin body, on a lattice far from 0. How many cells lie on each level the
+ * paper does not say: the stand-ins have fractions of their own, the same for every number of
+ * cells. Equal settings make equal data.
  *
  * Output port 0 is a vtkOverlappingAMR with the cell array "value" (float, in [0, 1], without
  * unit); cells under finer ones are marked REFINEDCELL in vtkGhostType. Lengths have no unit

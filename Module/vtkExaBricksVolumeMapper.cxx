@@ -421,7 +421,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   vtkInternals& internals = *this->Internals;
   if (ren->GetSelector())
   {
-    return; // blended colours would be taken for ids
+    return; // a selector would take blended colours for ids
   }
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
   if (!refused.empty())
@@ -435,7 +435,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   {
     internals.DropVolume();
     internals.Drawn.set(ren, false);
-    return; // the builder has said why, or was told to stop
+    return; // the builder has reported why, or was aborted
   }
   if (ren->GetRenderWindow()->CheckAbortStatus())
   {

@@ -194,8 +194,8 @@ public:
 
   ///@{
   /**
-   * Seconds of the last time that the volume was uploaded, that colours changed (a table is
-   * uploaded), that opacity changed (active regions are selected anew), and that rays were marched.
+   * Seconds that it took, the last time that each was done, to upload the volume, to upload tables
+   * of changed colours, to select the active regions of changed opacities anew, and to march rays.
    */
   double GetUploadTime();
   double GetColorTime();

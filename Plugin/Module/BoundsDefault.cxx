@@ -11,7 +11,7 @@ namespace exabricks
 {
 namespace
 {
-// States and panels write fewer digits.
+// Whether the numbers are equal but for digits that states and panels do not write.
 bool isAlike(double found, double expected)
 {
   return std::abs(found - expected) <= 1e-6 * std::abs(expected);
@@ -26,7 +26,7 @@ void BoundsDefault::update(vtkSMProperty* property)
   {
     return;
   }
-  // Domains write their defaults into a property. Not into this one, which panels listen to.
+  // Domains write their defaults into a property: not into this one, as panels listen to it.
   vtkNew<vtkSMDoubleVectorProperty> scratch;
   scratch->SetNumberOfElements(1);
   if (!domain->SetDefaultValues(scratch, /*use_unchecked_values=*/false))
@@ -34,15 +34,15 @@ void BoundsDefault::update(vtkSMProperty* property)
     return;
   }
   const double present = values->GetElement(0);
-  const double wanted = scratch->GetElement(0);
+  const double expected = scratch->GetElement(0);
   if (!this->Known || present != this->Found)
   {
     // It may have been set back to the default of the data before these.
-    this->Kept = isAlike(present, wanted) || (this->Known && isAlike(present, this->Default));
+    this->Kept = isAlike(present, expected) || (this->Known && isAlike(present, this->Default));
   }
-  this->Changed = this->Known && wanted != this->Default;
+  this->Changed = this->Known && expected != this->Default;
   this->Known = true;
   this->Found = present;
-  this->Default = wanted;
+  this->Default = expected;
 }
 }

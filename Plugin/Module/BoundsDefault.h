@@ -15,19 +15,19 @@ public:
   // Looks at the property's value, and at its default for the data that are read now.
   void update(vtkSMProperty* property);
 
-  // Nobody has chosen a value; at least none that differs from the default.
+  // Whether nobody has chosen a value, or at least none that differs from the default.
   bool isKept() const { return this->Kept; }
 
-  // For the data that are read now.
+  // The default for the data that are read now.
   double value() const { return this->Default; }
 
-  // The default was that of other data before the last update().
+  // Whether the last update() has changed the default, as the data were others before it.
   bool hasChanged() const { return this->Changed; }
 
 private:
   bool Kept = true;
   bool Changed = false;
-  bool Known = false; // updated once
+  bool Known = false; // whether it was updated before
   double Found = 0.0; // the property's value at the last update
   double Default = 0.0;
 };

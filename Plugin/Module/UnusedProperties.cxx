@@ -12,8 +12,8 @@ namespace exabricks
 {
 namespace
 {
-// What is drawn differs if one of these is set, in surfaces or in ParaView's own volume rendering.
-// Not all versions of ParaView have all of them.
+// Properties that change what is drawn of surfaces, or by ParaView's own volume rendering, and what
+// helps in place of each. Not all versions of ParaView have all of them.
 const struct
 {
   const char* name;
@@ -62,8 +62,8 @@ void hideUnusedProperties(vtkSMProxy* representation, vtkSMProxy* drawing)
   {
     vtkSMProperty* property = place->GetProperty();
     vtkSMProxy* owner = property ? property->GetParent() : nullptr;
-    // Of these Representation.xml shares properties. Those of others belong to the data's axes, to
-    // selections, or to types whose groups ParaView hides by itself.
+    // Representation.xml shares properties of these two. Those of others belong to the data's axes,
+    // to selections, or to types whose groups ParaView hides by itself.
     const std::string name = owner ? owner->GetXMLName() : "";
     const bool shares = name == "SurfaceRepresentation" || name == "AMRVolumeRepresentation";
     if (shares && !drawing->GetProperty(property->GetXMLName()))

@@ -10,12 +10,13 @@ class vtkSMProxy;
 // rendering for every type of representation, and only few of them mean anything to ExaBricks.
 namespace exabricks
 {
-// Hides, while `representation` is of the type ExaBricks, what `drawing`, its sub-proxy that draws
-// that type, does not share with the others. Before a panel is made.
+// Hides, while `representation` is of the type ExaBricks, the properties that `drawing`, its
+// sub-proxy that draws that type, does not share with the others. To be called before a panel is
+// made.
 void hideUnusedProperties(vtkSMProxy* representation, vtkSMProxy* drawing);
 
-// Names the properties that somebody has set, who will expect that they matter, and tells what
-// helps in place of each. Empty if there are none.
+// Names those of the unused properties that somebody has set, who will expect that they matter, and
+// tells what helps in place of each. Empty if there are none.
 std::string describeUnusedSettings(vtkSMProxy* representation);
 }
 

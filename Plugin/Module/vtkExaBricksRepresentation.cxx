@@ -60,7 +60,7 @@ vtkExaBricksRepresentation::vtkExaBricksRepresentation()
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Property->IndependentComponentsOn();
-  // A new property says nearest, which the mapper takes for a wish.
+  // The type of a new property is nearest, of which the mapper would warn.
   this->Property->SetInterpolationTypeToLinear();
   this->Volume->AddObserver(
     vtkCommand::EndEvent, this, &vtkExaBricksRepresentation::UpdateStatistics);
@@ -71,7 +71,7 @@ vtkExaBricksRepresentation::~vtkExaBricksRepresentation() = default;
 int vtkExaBricksRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
-  // A client has none.
+  // A client has no input.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -180,16 +180,16 @@ bool vtkExaBricksRepresentation::SelectArray()
   const bool onCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   if (!name || !name[0] || !(onPoints || onCells))
   {
-    if (!this->SaidChooseArray)
+    if (!this->ReportedNoArray)
     {
       vtkWarningMacro("ExaBricks draws an array of cells or points, found "
         << (name && name[0] ? name : "none")
         << ". Choose one to color by; until then the outline is drawn.");
     }
-    this->SaidChooseArray = true;
+    this->ReportedNoArray = true;
     return false;
   }
-  this->SaidChooseArray = false;
+  this->ReportedNoArray = false;
   if (onPoints)
   {
     this->Mapper->SetScalarModeToUsePointFieldData();

@@ -3,9 +3,9 @@
  * @class   vtkExaBricksRepresentation
  * @brief   ParaView's representation "ExaBricks": overlapping AMR drawn by vtkExaBricksVolumeMapper
  *
- * Drawn where the data are: on the server if there is one, which sends the picture. Where the
- * volume cannot be drawn its outline is, and the reason is said once: a missing Vulkan device, data
- * that the mapper cannot take, no array to color by.
+ * The volume is drawn where the data are: on the server if there is one, which sends the picture.
+ * Where it cannot be drawn, as there is no Vulkan device, or the mapper cannot take the data, or no
+ * array to color by was chosen, its outline is drawn, and the reason is reported once.
  *
  * The component that is drawn is that of the color map (vtkScalarsToColors::GetVectorMode()).
  * Every process may have any part of the blocks, or none.
@@ -74,7 +74,7 @@ public:
   void SetDevice(const char* device);
   ///@}
 
-  /// Where to say what was drawn last; null on a client.
+  /// The object that tells what was drawn last; null on a client.
   void SetStatistics(vtkExaBricksStatistics* statistics);
 
 protected:
@@ -95,7 +95,7 @@ private:
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
   bool SelectArray();
-  // After each picture.
+  // Called after each picture.
   void UpdateStatistics();
 
   vtkNew<vtkExaBricksVolumeMapper> Mapper;
@@ -103,9 +103,9 @@ private:
   vtkNew<vtkExaBricksVolume> Volume;
   vtkNew<vtkOutlineSource> OutlineSource;
 
-  vtkSmartPointer<vtkDataObject> Data; // of this process
-  double Bounds[6];                    // of the blocks that it has
-  bool SaidChooseArray = false;
+  vtkSmartPointer<vtkDataObject> Data; // the part that this process has
+  double Bounds[6];                    // of the blocks in it
+  bool ReportedNoArray = false;
   vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };
 

@@ -3,8 +3,8 @@
  * @class   vtkExaBricksStatistics
  * @brief   what a vtkExaBricksRepresentation drew last, in words
  *
- * An object of its own, as it exists where things are drawn alone: asked for a value of the
- * representation, which is on the client too, ParaView takes the client's.
+ * It is an object of its own, which exists only where things are drawn: ParaView takes values of
+ * the representation from the client, where it exists too, and nothing is drawn.
  */
 #ifndef vtkExaBricksStatistics_h
 #define vtkExaBricksStatistics_h
@@ -23,8 +23,8 @@ public:
 
   vtkSetMacro(Text, std::string);
   /**
-   * Levels, leaf cells, bricks, regions and how many of them show anything, device, its memory, and
-   * seconds for a picture; "nothing drawn" if that is so.
+   * Levels, leaf cells, bricks, regions and how many of them show anything, the device, how much of
+   * its memory is taken, and seconds for a picture; or "nothing drawn".
    */
   const char* GetText() { return this->Text.c_str(); }
 

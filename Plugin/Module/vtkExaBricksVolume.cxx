@@ -35,7 +35,8 @@ int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 
 int vtkExaBricksVolume::RenderOverlay(vtkViewport* viewport)
 {
-  // Not with the volume, which VTK may render while it peels depth: lines have no place there.
+  // The outline is not drawn with the volume, which VTK may render while it peels depth: lines have
+  // no place there.
   vtkRenderer* ren = vtkRenderer::SafeDownCast(viewport);
   if (!ren || ren->GetSelector())
   {

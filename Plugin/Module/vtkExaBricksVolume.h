@@ -3,8 +3,8 @@
  * @class   vtkExaBricksVolume
  * @brief   a volume that shows its outline where it cannot be drawn
  *
- * With a vtkExaBricksVolumeMapper, which says why it does not draw (no Vulkan device, wrong data),
- * so that one sees where the data are all the same.
+ * Where a vtkExaBricksVolumeMapper cannot draw (no Vulkan device, wrong data), which it reports,
+ * the outline shows where the data are all the same.
  *
  * @sa
  * vtkExaBricksRepresentation vtkExaBricksVolumeMapper
@@ -38,7 +38,7 @@ public:
   vtkGetMacro(OutlineOnly, bool);
   ///@}
 
-  /// Fires vtkCommand::EndEvent when it is done.
+  /// Invokes vtkCommand::EndEvent when it is done.
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
   /// Draws the outline, if the volume was not drawn.
   int RenderOverlay(vtkViewport* viewport) override;

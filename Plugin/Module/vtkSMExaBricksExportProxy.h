@@ -39,8 +39,8 @@ private:
   void WatchExporter();
   void ExporterModified(vtkObject* caller, unsigned long event, void* data);
 
-  vtkWeakPointer<vtkObject> Exporter;     // that is watched
-  vtkWeakPointer<vtkRenderWindow> Window; // that it writes
+  vtkWeakPointer<vtkObject> Exporter;     // the one that is watched
+  vtkWeakPointer<vtkRenderWindow> Window; // the one that it writes at this moment
 };
 
 #endif

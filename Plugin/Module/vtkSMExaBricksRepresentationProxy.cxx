@@ -19,9 +19,9 @@ struct vtkSMExaBricksRepresentationProxy::vtkInternals
 {
   exabricks::BoundsDefault UnitDistance;
   exabricks::BoundsDefault VolumeUnitDistance; // of ParaView's own volume rendering
-  double Time = 0.0;                           // of the view, at the last look at the unit distance
+  double Time = 0.0; // of the view, when the unit distance was updated last
 
-  // What was said last.
+  // The last warnings, each of which is given once as long as it stays the same.
   std::string UnusedSettings;
   std::string Ranks;
 };
@@ -48,7 +48,8 @@ void vtkSMExaBricksRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   if (view && view != this->View)
   {
-    // A view renders after its update, and then fires this. The observer goes with this object.
+    // A view renders after its update, and then fires this event. The observer goes away with this
+    // object.
     view->AddObserver(
       vtkCommand::EndEvent, this, &vtkSMExaBricksRepresentationProxy::UpdateStatistics);
     this->View = view;
