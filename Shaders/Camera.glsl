@@ -9,9 +9,9 @@ struct Line
   Pair3 origin;    // at the first of these depths
   Pair3 direction; // of length 1
   Pair extent;     // to the second one
-  Pair firstW;     // homogeneous coordinate at the first one, and what the second one has more
-  Pair moreW;
-  float dataPerHalfCell; // length of a step of length 1 in the data's coordinates
+  Pair firstW;     // homogeneous coordinates at these depths
+  Pair secondW;
+  float unitsPerHalfCell; // length of a step of length 1 in opacity unit distances
 };
 
 Pair w(Pair4 a) { return Pair(a.high.w, a.low.w); }
@@ -21,17 +21,14 @@ bool findLine(FrameBuffer f, uvec2 pixel, out Line line)
 {
   // From the middle of the picture: a number of halves of pixels, exactly.
   const vec2 at = vec2(pixel) + 0.5 - 0.5 * vec2(f.frame.width, f.frame.height);
-  Pair4 first = f.frame.first;
-  first = add(first, multiply(f.frame.perColumn,
-    Pair4(vec4(at.x), vec4(0.0))));
-  first = add(first, multiply(f.frame.perRow,
-    Pair4(vec4(at.y), vec4(0.0))));
-  const Pair4 more = f.frame.toSecond;
-  const Pair4 second = add(first, more);
+  const Pair4 aside = add(multiply(f.frame.perColumn, Pair4(vec4(at.x), vec4(0.0))),
+    multiply(f.frame.perRow, Pair4(vec4(at.y), vec4(0.0))));
+  const Pair4 first = add(f.frame.first, aside);
+  const Pair4 second = add(f.frame.second, aside);
   line.firstW = w(first);
-  line.moreW = w(more);
+  line.secondW = w(second);
   line.origin = divide(xyz(first), line.firstW);
-  const Pair3 path = add(divide(xyz(second), w(second)), negative(line.origin));
+  const Pair3 path = add(divide(xyz(second), line.secondW), negative(line.origin));
   line.extent = lengthOf(path);
   if (!(line.extent.high > 0.0) || isinf(line.extent.high))
   {
@@ -43,20 +40,30 @@ bool findLine(FrameBuffer f, uvec2 pixel, out Line line)
   line.direction.high = mix(line.direction.high,
     mix(vec3(-1e-12), vec3(1e-12), greaterThanEqual(line.direction.high, vec3(0.0))), none);
   line.direction.low = mix(line.direction.low, vec3(0.0), none);
-  line.dataPerHalfCell = length(
-    f.frame.halfCellsToDataX * line.direction.high.x + f.frame.halfCellsToDataY * line.direction.high.y +
-    f.frame.halfCellsToDataZ * line.direction.high.z);
+  line.unitsPerHalfCell = length(f.frame.halfCellsToUnitsX * line.direction.high.x +
+    f.frame.halfCellsToUnitsY * line.direction.high.y +
+    f.frame.halfCellsToUnitsZ * line.direction.high.z);
   return true;
 }
 
-// The distance along the line of a window depth in [0, 1], as a depth buffer holds it. Points on a
-// line divide it by their homogeneous coordinates.
+// The distance along the line of a window depth in [0, 1], as a depth buffer holds it; of one that
+// is not between the two depths, that of the next one, as no data lie beyond. On a line, depths go
+// as distances divided by the homogeneous coordinates.
 Pair distanceAt(FrameBuffer f, Line line, float depth)
 {
   const Pair ndc = makePair(2.0 * depth, -1.0);
-  const Pair share = multiply(add(ndc, negative(f.frame.firstDepth)),
-    f.frame.inverseDepths);
-  const Pair secondW = add(line.firstW, line.moreW);
-  const Pair part = divide(multiply(share, secondW), add(line.firstW, multiply(share, line.moreW)));
-  return multiply(part, line.extent);
+  const Pair fraction =
+    multiply(add(ndc, negative(f.frame.firstDepth)), f.frame.inverseDepths);
+  if (!(fraction.high > 0.0))
+  {
+    return makePair(0.0);
+  }
+  if (!(fraction.high < 1.0))
+  {
+    return line.extent;
+  }
+  const Pair rest = add(makePair(1.0), negative(fraction));
+  const Pair seen = multiply(fraction, line.secondW);
+  return multiply(
+    divide(seen, add(multiply(rest, line.firstW), seen)), line.extent);
 }

@@ -1,9 +1,9 @@
 # exabricks_compile_shader(<headers> <source> {<variant> <definition>}...)
 #
-# Compiles <source> (in Shaders/, or with its full path) once for each variant, with <definition> set, into a header
-# <variant>Spirv.h that holds `const uint32_t <variant>Spirv[]`, and puts the list of headers into <headers>. They lie
-# in EXABRICKS_SPIRV_DIR. What the shader includes (Shaders/Layout.h, Shaders/*.glsl, what lies beside it) is followed
-# through the compiler's depfile.
+# Compiles <source> (in Shaders/, or with its full path) twice for each variant, with <definition> set, into headers
+# <variant>Spirv.h that holds `const uint32_t <variant>Spirv[]`, and <variant>Int64Spirv.h for devices with integers of
+# 64 bits (Shaders/Buffers.glsl); and puts the list of headers into <headers>. They lie in EXABRICKS_SPIRV_DIR. What the
+# shader includes (Shaders/Layout.h, Shaders/*.glsl, what lies beside it) is followed through the compiler's depfile.
 
 # Paths in depfiles are those that the compiler was given.
 if (POLICY CMP0116)
@@ -27,18 +27,24 @@ function (exabricks_compile_shader headers source)
   get_filename_component(name "${source}" NAME)
   while (ARGN)
     list(POP_FRONT ARGN variant definition)
-    set(output "${EXABRICKS_SPIRV_DIR}/${variant}Spirv.h")
-    add_custom_command(
-      OUTPUT "${output}"
-      COMMAND "${EXABRICKS_GLSLANG}" --quiet -V --target-env vulkan1.2
-              "-D${definition}" "-I${EXABRICKS_SHADER_DIR}"
-              --vn "${variant}Spirv" --depfile "${output}.d" -o "${output}"
-              "${source}"
-      DEPENDS "${source}"
-      DEPFILE "${output}.d"
-      COMMENT "Compiling ${name} with ${definition}"
-      VERBATIM)
-    list(APPEND outputs "${output}")
+    foreach (words IN ITEMS "" Int64)
+      set(definitions "-D${definition}")
+      if (words)
+        list(APPEND definitions -DHAS_INT64)
+      endif ()
+      set(output "${EXABRICKS_SPIRV_DIR}/${variant}${words}Spirv.h")
+      add_custom_command(
+        OUTPUT "${output}"
+        COMMAND "${EXABRICKS_GLSLANG}" --quiet -V --target-env vulkan1.2
+                ${definitions} "-I${EXABRICKS_SHADER_DIR}"
+                --vn "${variant}${words}Spirv" --depfile "${output}.d" -o "${output}"
+                "${source}"
+        DEPENDS "${source}"
+        DEPFILE "${output}.d"
+        COMMENT "Compiling ${name} with ${definition} ${words}"
+        VERBATIM)
+      list(APPEND outputs "${output}")
+    endforeach ()
   endwhile ()
   set("${headers}" ${outputs} PARENT_SCOPE)
 endfunction ()

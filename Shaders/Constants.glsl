@@ -6,7 +6,6 @@ TransferBins transferBins;
 TransferKnots transferKnots;
 float stepScale;
 float transmittanceExponent;
-float inverseUnit;
 float integralUnit;
 float inverseIntegralUnit;
 float terminationOpacity;
@@ -19,7 +18,6 @@ void readConstants(FrameBuffer f)
   transferKnots = TransferKnots(f.frame.transferKnots);
   stepScale = f.frame.stepScale;
   transmittanceExponent = f.frame.transmittanceExponent;
-  inverseUnit = f.frame.inverseUnit;
   integralUnit = f.frame.integralUnit;
   inverseIntegralUnit = 1.0 / integralUnit;
   terminationOpacity = f.frame.terminationOpacity;

@@ -100,9 +100,15 @@ Pair greater(Pair a, Pair b)
   return a;
 }
 
-// Of a vector whose squares are in the range of floats.
-Pair lengthOf(Pair3 a)
+// Scaled by a power of two, so that squares are in the range of floats.
+Pair lengthOf(Pair3 vector)
 {
+  const float greatest =
+    max(abs(vector.high.x), max(abs(vector.high.y), abs(vector.high.z)));
+  int exponent;
+  frexp(greatest, exponent);
+  const float scale = ldexp(1.0, -exponent);
+  const Pair3 a = Pair3(vector.high * scale, vector.low * scale);
   const Pair4 squares = multiply(widen(a), widen(a));
   const Pair square = add(add(Pair(squares.high.x, squares.low.x), Pair(squares.high.y, squares.low.y)),
     Pair(squares.high.z, squares.low.z));
@@ -114,5 +120,6 @@ Pair lengthOf(Pair3 a)
   const Pair root = Pair(sqrt(square.high), 0.0);
   const Pair left = add(square, negative(multiply(root, root)));
   precise const float rest = left.high / (2.0 * root.high);
-  return makePair(root.high, rest);
+  const Pair both = makePair(root.high, rest);
+  return Pair(ldexp(both.high, exponent), ldexp(both.low, exponent));
 }

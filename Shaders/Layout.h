@@ -25,8 +25,9 @@ using uint = std::uint32_t;
 using DeviceAddress = std::uint64_t;
 #define EXABRICKS_CONST static constexpr
 #else
-// Half of the devices have no integers of 64 bits. Structures hold addresses at multiples of 8.
-#define DeviceAddress uvec2
+// Buffers.glsl says what a DeviceAddress is: two words of 32 bits, which GLSL places at any 4
+// bytes, on devices without integers of 64 bits. So that all agree, they lie at multiples of 8
+// bytes.
 #define EXABRICKS_CONST const
 #endif
 
@@ -111,8 +112,9 @@ struct TransferBin
   vec4 upper;
   ivec4 integral;
   int opaque;
-  int unused;
+  int unused; // shaders read it as TRANSFER_BIN_WORDS words of 64 bits
 };
+EXABRICKS_CONST uint TRANSFER_BIN_WORDS = 7u;
 struct TransferKnot
 {
   vec4 lower; // at its value, and at that of the next knot: they differ at jumps
@@ -125,27 +127,27 @@ struct TransferKnot
 // One picture.
 struct Frame
 {
-  // Homogeneous half cells of a pixel, from the picture's middle on, at the first of two depths
-  // that bracket the bounds, and what to add for the second one.
+  // Homogeneous half cells of the picture's middle at two depths that bracket the bounds, and what
+  // a pixel to the right and one up add to both.
   Pair4 first;
+  Pair4 second;
   Pair4 perColumn;
   Pair4 perRow;
-  Pair4 toSecond;
-  Pair firstDepth;       // in normalised device coordinates
-  Pair inverseDepths;    // 1 / (second - first)
-  vec3 halfCellsToDataX; // columns of the linear map from half cells to the data's coordinates
-  vec3 halfCellsToDataY;
-  vec3 halfCellsToDataZ;
+  Pair firstDepth;        // in normalised device coordinates
+  Pair inverseDepths;     // 1 / (second - first)
+  vec3 halfCellsToUnitsX; // columns of the linear map from half cells to opacity unit distances
+  vec3 halfCellsToUnitsY;
+  vec3 halfCellsToUnitsZ;
   ivec3 size; // of the bounds, half cells
   uint width; // pixels
   uint height;
   float stepScale;             // of the boxes' steps
   float transmittanceExponent; // steps grow with transmittance to the power of minus this
-  float inverseUnit;           // 1 / scalar opacity unit distance, in the data's coordinates
   float terminationOpacity;    // a ray ends at this opacity
   float integralUnit;          // of the transfer function's integrals
   uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
-  DeviceAddress bricks;        // Brick[], uint[], KdNode[], ...
+  uint unused;
+  DeviceAddress bricks; // Brick[], uint[], KdNode[], ...
   DeviceAddress brickLists;
   DeviceAddress nodes;
   DeviceAddress activeBoxes; // ActiveBox[]: of the acceleration structure
@@ -183,13 +185,13 @@ EXABRICKS_CONST float DRAWN_OPACITY = 1.0f / 255.0f; // that a drawn pixel has a
 
 #ifdef __cplusplus
 static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
+static_assert(offsetof(Brick, values) == 24, "as in GLSL's scalar layout");
 static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
-static_assert(sizeof(TransferBin) == 56, "as in GLSL's scalar layout");
+static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(sizeof(Frame) == 304 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
-static_assert(offsetof(Brick, values) == 24, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

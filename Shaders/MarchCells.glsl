@@ -7,7 +7,7 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   float end = cursor.exit;
   if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
   {
-    addConstant(value, (end - cursor.entry) * ray.dataPerHalfCell * inverseUnit, gathered);
+    addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
   }
   cursor.entry = end;
   cursor.intervals = end < cursor.exit ? 1 : 0;

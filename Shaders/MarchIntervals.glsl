@@ -41,7 +41,7 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const float last = cursor.value;
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
-    const float units = length / float(count) * ray.dataPerHalfCell * inverseUnit;
+    const float units = length / float(count) * ray.unitsPerHalfCell;
     for (int k = 1; k <= count; ++k)
     {
       const float next = k == count ? value : middle;

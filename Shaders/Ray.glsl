@@ -11,7 +11,7 @@ struct Ray
   vec3 inverse;   // 1 / direction
   float begin;    // distances from the origin at which the ray enters the bounds, ...
   float end;      // ... and leaves them, or at which its segment ends
-  float dataPerHalfCell; // length of a step of length 1 in the data's coordinates
+  float unitsPerHalfCell; // length of a step of length 1 in opacity unit distances
 };
 
 const float REBASE_DISTANCE = 1024.0; // half cells: distances are exact to 1e-4 of them
@@ -59,6 +59,6 @@ bool makeRay(Line line, Pair begin, Pair end, ivec3 size, out Ray ray)
   const vec3 leave = max(low, high);
   ray.begin = max(0.0, max(enter.x, max(enter.y, enter.z)));
   ray.end = min(add(end, negative(begin)).high, min(leave.x, min(leave.y, leave.z)));
-  ray.dataPerHalfCell = line.dataPerHalfCell;
+  ray.unitsPerHalfCell = line.unitsPerHalfCell;
   return ray.begin < ray.end;
 }

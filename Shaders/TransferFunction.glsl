@@ -14,12 +14,27 @@ struct TransferPart
   int opaque;
 };
 
+vec2 unpackFloats(Word word) { return uintBitsToFloat(unpackWord(word)); }
+
+TransferBin readBin(uint i)
+{
+  const uint at = TRANSFER_BIN_WORDS * i;
+  TransferBin bin;
+  bin.lower = vec4(unpackFloats(transferBins.words[at]), unpackFloats(transferBins.words[at + 1u]));
+  bin.upper =
+    vec4(unpackFloats(transferBins.words[at + 2u]), unpackFloats(transferBins.words[at + 3u]));
+  bin.integral =
+    ivec4(unpackWord(transferBins.words[at + 4u]), unpackWord(transferBins.words[at + 5u]));
+  bin.opaque = int(unpackWord(transferBins.words[at + 6u]).x);
+  return bin;
+}
+
 TransferPart findPart(float value)
 {
   const float x = clamp(value, 0.0, 1.0) * float(TRANSFER_BINS);
   const float whole = min(floor(x), float(TRANSFER_BINS - 1));
   const uint i = min(toIndex(whole), uint(TRANSFER_BINS - 1)); // a NaN too is some bin's
-  const TransferBin bin = transferBins.items[i];
+  const TransferBin bin = readBin(i);
   if (bin.lower.a >= 0.0)
   {
     return TransferPart(int(i), x - whole, 1.0 / float(TRANSFER_BINS), bin.lower, bin.upper,

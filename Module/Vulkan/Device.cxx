@@ -246,6 +246,7 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
   this->Name = properties.deviceName.data();
   this->Cpu = properties.deviceType == vk::PhysicalDeviceType::eCpu;
   this->RayQuery = canQueryRays(this->Physical);
+  this->Int64 = this->Physical.getFeatures().shaderInt64;
   this->MemoryBudget = hasExtension(this->Physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   this->Memory = this->Physical.getMemoryProperties();
   this->SharesMemory = hasSharedMemory(properties.deviceType, this->Memory);
@@ -286,6 +287,7 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
     chain.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
     chain.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
   }
+  chain.get<vk::PhysicalDeviceFeatures2>().features.setShaderInt64(this->Int64);
   const std::uint32_t family = findComputeQueue(this->Physical).value();
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);

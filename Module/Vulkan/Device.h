@@ -74,6 +74,7 @@ public:
   /// Whether all memory is the host's too: what both use is never copied between them.
   bool sharesMemory() const { return this->SharesMemory; }
   bool hasRayQuery() const { return this->RayQuery; }
+  bool hasInt64() const { return this->Int64; } // in shaders
   vk::DeviceSize maximumAllocation() const { return this->MaximumAllocation; }
   /// Of a buffer of cells' values. Lowered by tests only, so that small data take several.
   vk::DeviceSize maximumValueBuffer() const { return this->MaximumValueBuffer; }
@@ -110,6 +111,7 @@ private:
   bool Cpu = false;
   bool SharesMemory = false;
   bool RayQuery = false;
+  bool Int64 = false;
   bool MemoryBudget = false;
   bool Lost = false;
   vk::DeviceSize MaximumAllocation = 0;

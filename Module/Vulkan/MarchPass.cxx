@@ -65,19 +65,20 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   // Homogeneous coordinates may be of any size: these are about 1.
   const double scale = 1.0 / middle.w;
   frame.first = makePair(scale * middle);
+  frame.second = makePair(scale * (ndcToHalfCells * glm::dvec4(0.0, 0.0, depths.second, 1.0)));
   frame.perColumn = makePair(ndcToHalfCells[0] * (scale * 2.0 / view.target.width));
   frame.perRow = makePair(ndcToHalfCells[1] * (scale * 2.0 / view.target.height));
-  frame.toSecond = makePair(ndcToHalfCells[2] * (scale * (depths.second - depths.first)));
   frame.firstDepth = makePair(depths.first);
   frame.inverseDepths = makePair(1.0 / (depths.second - depths.first));
-  const glm::dmat3 toData = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells));
-  frame.halfCellsToDataX = toData[0];
-  frame.halfCellsToDataY = toData[1];
-  frame.halfCellsToDataZ = toData[2];
+  // In unit distances, as lengths in the data's coordinates may be beyond the range of floats.
+  const glm::dmat3 toUnits = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells)) *
+    (1.0 / view.opacityUnitDistance);
+  frame.halfCellsToUnitsX = toUnits[0];
+  frame.halfCellsToUnitsY = toUnits[1];
+  frame.halfCellsToUnitsZ = toUnits[2];
   frame.width = static_cast<std::uint32_t>(view.target.width);
   frame.height = static_cast<std::uint32_t>(view.target.height);
   frame.stepScale = static_cast<float>(view.quality.stepScale);
-  frame.inverseUnit = static_cast<float>(1.0 / view.opacityUnitDistance);
   frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
   frame.hasDepth = view.target.depth != nullptr;
 }

@@ -2,7 +2,9 @@
 #include "Vulkan/MarchPipelines.h"
 
 #include "Layout.h"
+#include "MarchKdTreeInt64Spirv.h"
 #include "MarchKdTreeSpirv.h"
+#include "MarchRayQueryInt64Spirv.h"
 #include "MarchRayQuerySpirv.h"
 
 #include <array>
@@ -35,19 +37,29 @@ std::uint32_t numberOf(Reconstruction reconstruction)
   }
 }
 
-vk::ShaderModuleCreateInfo shaderFor(Traversal traversal, const std::vector<std::uint32_t>& own)
+template <std::size_t N>
+vk::ShaderModuleCreateInfo toInfo(const std::uint32_t (&spirv)[N])
 {
-  if (!own.empty())
+  return { {}, sizeof(spirv), spirv };
+}
+
+vk::ShaderModuleCreateInfo shaderFor(
+  const Device& device, Traversal traversal, const MarchShader& shader)
+{
+  const bool int64 = device.hasInt64();
+  if (!shader.spirv.empty())
   {
-    return { {}, own };
+    return { {}, int64 ? shader.int64Spirv : shader.spirv };
   }
-  return traversal == Traversal::RayQuery
-    ? vk::ShaderModuleCreateInfo({}, sizeof(MarchRayQuerySpirv), MarchRayQuerySpirv)
-    : vk::ShaderModuleCreateInfo({}, sizeof(MarchKdTreeSpirv), MarchKdTreeSpirv);
+  if (traversal == Traversal::RayQuery)
+  {
+    return int64 ? toInfo(MarchRayQueryInt64Spirv) : toInfo(MarchRayQuerySpirv);
+  }
+  return int64 ? toInfo(MarchKdTreeInt64Spirv) : toInfo(MarchKdTreeSpirv);
 }
 }
 
-MarchPipelines::MarchPipelines(std::shared_ptr<Device> device, std::vector<std::uint32_t> shader)
+MarchPipelines::MarchPipelines(std::shared_ptr<Device> device, MarchShader shader)
   : Owner(std::move(device))
   , Shader(std::move(shader))
 {
@@ -70,7 +82,7 @@ vk::Pipeline MarchPipelines::find(const MarchVariant& variant)
 vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
 {
   const vk::raii::ShaderModule shader(
-    this->Owner->handle(), shaderFor(variant.traversal, this->Shader));
+    this->Owner->handle(), shaderFor(*this->Owner, variant.traversal, this->Shader));
   const Constants values{ numberOf(variant.reconstruction), variant.beginsAtDepth,
     variant.takesTiles };
   const std::array<vk::SpecializationMapEntry, 3> entries{ vk::SpecializationMapEntry(0,

@@ -13,12 +13,18 @@ namespace exabricks
 {
 namespace vulkan
 {
+/// SPIR-V with the interface of Shaders/March.comp.
+struct MarchShader
+{
+  std::vector<std::uint32_t> spirv;
+  std::vector<std::uint32_t> int64Spirv; // for devices with integers of 64 bits (Buffers.glsl)
+};
+
 class MarchPipelines
 {
 public:
-  /// `shader`: SPIR-V with the interface of Shaders/March.comp that takes its place in all
-  /// variants; empty: none.
-  explicit MarchPipelines(std::shared_ptr<Device> device, std::vector<std::uint32_t> shader = {});
+  /// `shader`: takes the place of Shaders/March.comp in all variants; empty: none does.
+  explicit MarchPipelines(std::shared_ptr<Device> device, MarchShader shader = {});
 
   /// Made when first asked for, and kept: drivers compile for a long time. Throws vk::Error.
   vk::Pipeline find(const MarchVariant& variant);
@@ -31,7 +37,7 @@ private:
   vk::raii::Pipeline Make(const MarchVariant& variant) const;
 
   std::shared_ptr<Device> Owner;
-  const std::vector<std::uint32_t> Shader;
+  const MarchShader Shader;
   std::size_t Builds = 0;
   vk::raii::PipelineLayout Layout = nullptr;
   std::map<MarchVariant, vk::raii::Pipeline> Pipelines;

@@ -25,7 +25,7 @@ struct VariantRenderer::Internals
   const std::shared_ptr<vulkan::Device> Device = vulkan::Device::acquire("");
   const vulkan::Buffer OwnData =
     vulkan::makeBuffer(this->Device, this->Program->data, "a method's own data");
-  vulkan::MarchPipelines Pipelines{ this->Device, this->Program->spirv };
+  vulkan::MarchPipelines Pipelines{ this->Device, this->Program->shader };
   vulkan::PictureJob Job{ this->Device };
   vulkan::LevelsOfDetail Levels;
   std::optional<vulkan::TransferBuffers> Colors;

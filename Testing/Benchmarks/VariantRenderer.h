@@ -4,6 +4,7 @@
 #ifndef ExaBricksBenchmarksVariantRenderer_h
 #define ExaBricksBenchmarksVariantRenderer_h
 
+#include "Vulkan/MarchPipelines.h"
 #include "Vulkan/VolumeRenderer.h"
 
 namespace exabricks
@@ -13,8 +14,7 @@ namespace benchmarks
 /// A method of marching.
 struct MarchProgram
 {
-  /// Shader with the interface of Shaders/March.comp, for the k-d tree traversal; none: our own.
-  std::vector<std::uint32_t> spirv;
+  vulkan::MarchShader shader; // for the k-d tree traversal; none: our own
   /// False: regions that the transfer function does not show are marched too.
   bool skipsSpace = true;
   /// The method's own data about the volume, at the device address Frame.activeBoxes, for which the

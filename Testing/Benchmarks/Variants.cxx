@@ -3,13 +3,21 @@
 
 #include "CellLocation/BrickTree.h"
 
+#include "CellLocationInt64Spirv.h"
 #include "CellLocationSpirv.h"
+#include "CountsInt64Spirv.h"
 #include "CountsSpirv.h"
+#include "FinestStepsInt64Spirv.h"
 #include "FinestStepsSpirv.h"
+#include "LatticeInt64Spirv.h"
 #include "LatticeSpirv.h"
+#include "LeftEndInt64Spirv.h"
 #include "LeftEndSpirv.h"
+#include "MidpointInt64Spirv.h"
 #include "MidpointSpirv.h"
+#include "NaiveWalkInt64Spirv.h"
 #include "NaiveWalkSpirv.h"
+#include "UncorrectedInt64Spirv.h"
 #include "UncorrectedSpirv.h"
 
 #include <cstring>
@@ -23,18 +31,18 @@ namespace
 {
 using Program = std::shared_ptr<const MarchProgram>;
 
-template <std::size_t N>
-std::vector<std::uint32_t> toWords(const std::uint32_t (&spirv)[N])
-{
-  return { std::begin(spirv), std::end(spirv) };
-}
-
-/// Of a method that needs no data of its own. `spirv`: an array; none: our own shader.
-template <typename... Words>
-auto makePlain(bool skipsSpace, const Words&... spirv)
+template <std::size_t N, std::size_t M>
+MarchProgram makeProgram(const std::uint32_t (&spirv)[N], const std::uint32_t (&int64Spirv)[M])
 {
   MarchProgram program;
-  ((program.spirv = toWords(spirv)), ...);
+  program.shader.spirv.assign(std::begin(spirv), std::end(spirv));
+  program.shader.int64Spirv.assign(std::begin(int64Spirv), std::end(int64Spirv));
+  return program;
+}
+
+/// Of a method that needs no data of its own, and may be our own shader.
+auto makePlain(MarchProgram program, bool skipsSpace = true)
+{
   program.skipsSpace = skipsSpace;
   return [shared = std::make_shared<const MarchProgram>(std::move(program))](const Volume&)
   { return shared; };
@@ -51,8 +59,7 @@ void append(std::vector<std::uint32_t>& words, const std::vector<T>& items)
 
 Program makeCellLocation(const Volume& volume)
 {
-  MarchProgram program;
-  program.spirv = toWords(CellLocationSpirv);
+  MarchProgram program = makeProgram(CellLocationSpirv, CellLocationInt64Spirv);
   append(program.data,
     buildBrickTree(volume.structure->bricks, volume.structure->hierarchy.cellWidth,
       volume.structure->tree.bounds.lo, BrickExtent::Support));
@@ -81,8 +88,7 @@ std::vector<layout::LevelLattice> makeLattices(const Volume& volume)
 
 Program makeNaiveWalk(const Volume& volume)
 {
-  MarchProgram program;
-  program.spirv = toWords(NaiveWalkSpirv);
+  MarchProgram program = makeProgram(NaiveWalkSpirv, NaiveWalkInt64Spirv);
   program.skipsSpace = false;
   const std::vector<layout::LevelLattice> lattices = makeLattices(volume);
   program.data.push_back(static_cast<std::uint32_t>(lattices.size()));
@@ -103,14 +109,16 @@ const std::vector<Variant>& variants()
       "each sample finds eight cells of each level by a tree; finest steps, no skipping",
       makeNaiveWalk },
     { "no opacity correction", "samples as opaque as a finest cell, however long they stand for",
-      makePlain(true, UncorrectedSpirv) },
+      makePlain(makeProgram(UncorrectedSpirv, UncorrectedInt64Spirv)) },
     { "midpoint", "the value in the interval's middle, not the mean over values",
-      makePlain(true, MidpointSpirv) },
-    { "left end", "the value where the interval begins", makePlain(true, LeftEndSpirv) },
+      makePlain(makeProgram(MidpointSpirv, MidpointInt64Spirv)) },
+    { "left end", "the value where the interval begins",
+      makePlain(makeProgram(LeftEndSpirv, LeftEndInt64Spirv)) },
     { "unfitted steps", "intervals on one lattice along the ray, cut at regions",
-      makePlain(true, LatticeSpirv) },
-    { "no skipping", "regions that show nothing are marched too", makePlain(false) },
-    { "finest steps", "those of the finest cells everywhere", makePlain(true, FinestStepsSpirv) },
+      makePlain(makeProgram(LatticeSpirv, LatticeInt64Spirv)) },
+    { "no skipping", "regions that show nothing are marched too", makePlain({}, false) },
+    { "finest steps", "those of the finest cells everywhere",
+      makePlain(makeProgram(FinestStepsSpirv, FinestStepsInt64Spirv)) },
   };
   return all;
 }
@@ -118,7 +126,7 @@ const std::vector<Variant>& variants()
 const Variant& countingVariant()
 {
   static const Variant counting{ "counts", "samples, intervals, regions, tree steps",
-    makePlain(true, CountsSpirv) };
+    makePlain(makeProgram(CountsSpirv, CountsInt64Spirv)) };
   return counting;
 }
 

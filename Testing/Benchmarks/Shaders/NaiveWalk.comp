@@ -33,12 +33,16 @@ Lattices lattices;
 BrickTree brickTree; // without overlaps
 
 // The address so many bytes on.
-uvec2 offsetBy(uvec2 address, uint bytes)
+#ifdef HAS_INT64
+DeviceAddress offsetBy(DeviceAddress address, uint bytes) { return address + bytes; }
+#else
+DeviceAddress offsetBy(DeviceAddress address, uint bytes)
 {
   uint carry;
   const uint low = uaddCarry(address.x, bytes, carry);
   return uvec2(low, address.y + carry);
 }
+#endif
 
 // The method's own data lie where other traversals than by the k-d tree have their boxes.
 void readConstants(FrameBuffer f)

@@ -47,7 +47,7 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const float at = cursor.entry;
 #endif
     addConstant(sampleField(cursor.brick, cursor.others, ray, at),
-      (end - cursor.entry) * ray.dataPerHalfCell * inverseUnit, gathered);
+      (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
   }
   cursor.entry = end;
   cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;

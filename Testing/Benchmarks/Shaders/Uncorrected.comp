@@ -41,7 +41,7 @@ vec4 absorbBetween(
 
 void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
-  unitsPerSample = 2.0 * ray.dataPerHalfCell * inverseUnit;
+  unitsPerSample = 2.0 * ray.unitsPerHalfCell;
   marchLength(ray, cursor, gathered);
 }
 

@@ -2,6 +2,7 @@
 // The other methods draw the same picture as ours where they claim to, and converge to it, or not,
 // as what was taken away from them has it.
 #include "CellLocation/BrickTree.h"
+#include "MarchKdTreeSpirv.h"
 #include "Variants.h"
 #include "Vulkan/SceneRenderer.h"
 
@@ -220,6 +221,22 @@ TEST(Variants, CountsOfCompletedToo)
     EXPECT_GE(count.g, count.b);
   }
   EXPECT_GT(coverage(counts), 1.0);
+}
+
+TEST(Variants, OursIsTheSameWithoutIntegersOf64Bits)
+{
+  // Compiled for devices that lack them, and drawn by one that may have them.
+  auto program = std::make_shared<MarchProgram>();
+  program->shader.spirv.assign(std::begin(MarchKdTreeSpirv), std::end(MarchKdTreeSpirv));
+  program->shader.int64Spirv = program->shader.spirv;
+  SceneRenderer subject(reference::holes());
+  subject.renderer.selectTraversal(Traversal::KdTree);
+  for (const Reconstruction reconstruction : { Reconstruction::Basis, Reconstruction::Nearest })
+  {
+    subject.reconstruction = reconstruction;
+    const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+    EXPECT_EQ(largestDifference(draw(subject, program, view), subject.render(view)), 0.0);
+  }
 }
 
 TEST(Variants, AreFoundByName)
