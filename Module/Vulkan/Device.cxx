@@ -297,6 +297,7 @@ Device::Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalD
   this->Queue = vk::raii::Queue(this->Logical, family, 0);
   this->Pool =
     vk::raii::CommandPool(this->Logical, { vk::CommandPoolCreateFlagBits::eTransient, family });
+  this->Cache = vk::raii::PipelineCache(this->Logical, vk::PipelineCacheCreateInfo());
 }
 
 std::uint32_t Device::findMemoryType(std::uint32_t allowed, vk::MemoryPropertyFlags required,

@@ -68,6 +68,8 @@ public:
   Device(std::shared_ptr<vk::raii::Instance> instance, vk::raii::PhysicalDevice physical);
 
   const vk::raii::Device& handle() const { return this->Logical; }
+  /// Of all renderers: what one has compiled, the next one need not.
+  const vk::raii::PipelineCache& pipelineCache() const { return this->Cache; }
   const vk::raii::PhysicalDevice& physical() const { return this->Physical; }
   const std::string& name() const { return this->Name; }
   bool isCpu() const { return this->Cpu; }
@@ -122,6 +124,7 @@ private:
   vk::raii::Device Logical = nullptr;
   vk::raii::Queue Queue = nullptr;
   vk::raii::CommandPool Pool = nullptr;
+  vk::raii::PipelineCache Cache = nullptr;
   mutable std::mutex Mutex; // queue and pool
 };
 }

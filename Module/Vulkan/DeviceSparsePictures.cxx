@@ -28,8 +28,8 @@ DeviceSparsePictures::DeviceSparsePictures(std::shared_ptr<Device> device)
     vk::ShaderModuleCreateInfo({}, sizeof(DifferenceSpirv), DifferenceSpirv));
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
-  this->Pipeline = vk::raii::Pipeline(
-    this->Owner->handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
+  this->Pipeline = vk::raii::Pipeline(this->Owner->handle(), this->Owner->pipelineCache(),
+    vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
   this->Frames.reserve(
     this->Owner, MostFrames * sizeof(layout::Frame), "the constants of sparse pictures");
   this->Differences.reserve(

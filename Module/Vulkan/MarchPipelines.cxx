@@ -93,7 +93,7 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);
-  return { this->Owner->handle(), nullptr,
+  return { this->Owner->handle(), this->Owner->pipelineCache(),
     vk::ComputePipelineCreateInfo({}, stage, *this->Layout) };
 }
 }

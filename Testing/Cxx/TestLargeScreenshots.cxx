@@ -39,11 +39,12 @@ double differenceOfTiles(vtkRenderWindow* window, const test::Picture& whole)
     {
       for (int c = 0; c < 3; ++c)
       {
-        most = std::max(most, std::abs(*bytes++ * test::OneStep - whole.At(x, y)[c]));
+        most = std::max(most, std::abs(*bytes++ - whole.At(x, y)[c] / test::OneStep));
       }
     }
   }
-  return most;
+  // A whole number of steps, but for rounding.
+  return std::round(most) * test::OneStep;
 }
 }
 

@@ -111,7 +111,8 @@ TEST(ChangesCost, AllForOtherBoxes)
 TEST(ChangesCost, LittleWhereAPictureIsGivenUp)
 {
   SceneRenderer subject(reference::twoLevels());
-  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 512);
+  subject.stepScale = 1.0;
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 256);
   const reference::Image whole = subject.render(view);
   std::vector<glm::vec4> pixels;
   std::vector<double> heard;

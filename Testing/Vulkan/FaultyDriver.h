@@ -48,6 +48,16 @@ public:
     vulkan::Device::acquire("")->markLost();
   }
 
+  /// Whether devices say how much memory they have available.
+  bool tellsMemory() const
+  {
+    const auto extensions = this->First->physical().enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(),
+      [](const vk::ExtensionProperties& extension) {
+        return std::string(extension.extensionName.data()) == VK_EXT_MEMORY_BUDGET_EXTENSION_NAME;
+      });
+  }
+
   /// Nothing fails any more.
   void heal()
   {
