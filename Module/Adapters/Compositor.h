@@ -19,8 +19,8 @@ class Compositor
 public:
   /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
   /// in pixels. Returns an empty string, or what went wrong. Returns nothing where nothing is drawn
-  /// for a good reason: `progress` gave the picture up, or it is a peel after the first one that has
-  /// no use for the volume.
+  /// for a good reason: `progress` gave the picture up, or it is a peel after the first one that
+  /// has no use for the volume.
   std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
     const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer,
     const VolumeRenderer::Progress& progress);
