@@ -60,16 +60,13 @@ Pair4 multiply(Pair4 a, Pair4 b)
   return quickTwoSum(product.high, rest);
 }
 
-Pair4 divide(Pair4 a, Pair4 b)
+// 1 / a: a first quotient, and what it leaves over, divided once more.
+Pair4 reciprocal(Pair4 a)
 {
-  // A first quotient, and what it leaves over, divided once more, and again.
-  precise const vec4 first = a.high / b.high;
-  const Pair4 left = add(a, negative(multiply(Pair4(first, vec4(0.0)), b)));
-  precise const vec4 second = left.high / b.high;
-  const Pair4 leftThen = add(left, negative(multiply(Pair4(second, vec4(0.0)), b)));
-  precise const vec4 third = leftThen.high / b.high;
-  const Pair4 most = quickTwoSum(first, second);
-  return add(most, Pair4(third, vec4(0.0)));
+  precise const vec4 first = 1.0 / a.high;
+  const Pair4 left = add(Pair4(vec4(1.0), vec4(0.0)), negative(multiply(Pair4(first, vec4(0.0)), a)));
+  precise const vec4 second = left.high * first;
+  return quickTwoSum(first, second);
 }
 
 Pair4 widen(Pair3 a) { return Pair4(vec4(a.high, 1.0), vec4(a.low, 0.0)); }
@@ -78,13 +75,12 @@ Pair3 xyz(Pair4 a) { return Pair3(a.high.xyz, a.low.xyz); }
 Pair3 add(Pair3 a, Pair3 b) { return xyz(add(widen(a), widen(b))); }
 Pair3 negative(Pair3 a) { return Pair3(-a.high, -a.low); }
 Pair3 multiply(Pair3 a, Pair b) { return xyz(multiply(widen(a), spread(b))); }
-Pair3 divide(Pair3 a, Pair b) { return xyz(divide(widen(a), spread(b))); }
 
 Pair x(Pair4 a) { return Pair(a.high.x, a.low.x); }
+Pair reciprocal(Pair a) { return x(reciprocal(spread(a))); }
 Pair add(Pair a, Pair b) { return x(add(spread(a), spread(b))); }
 Pair negative(Pair a) { return Pair(-a.high, -a.low); }
 Pair multiply(Pair a, Pair b) { return x(multiply(spread(a), spread(b))); }
-Pair divide(Pair a, Pair b) { return x(divide(spread(a), spread(b))); }
 
 // The sum of two floats.
 Pair makePair(float a, float b) { return x(twoSum(vec4(a), vec4(b))); }
@@ -123,3 +119,6 @@ Pair lengthOf(Pair3 vector)
   const Pair both = makePair(root.high, rest);
   return Pair(ldexp(both.high, exponent), ldexp(both.low, exponent));
 }
+
+Pair3 divide(Pair3 a, Pair b) { return multiply(a, reciprocal(b)); }
+Pair divide(Pair a, Pair b) { return multiply(a, reciprocal(b)); }
