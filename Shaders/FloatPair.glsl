@@ -9,6 +9,7 @@ struct Pair3
   vec3 high;
   vec3 low;
 };
+
 // a + b, exactly.
 Pair4 twoSum(vec4 a, vec4 b)
 {

@@ -14,7 +14,7 @@ vec4 marchPixel(FrameBuffer f, uvec2 pixel)
 uvec2 findPixel(uint width)
 {
   const uint columns = (width + 7u) / 8u; // of tiles
-  const uint i = takesTiles
+  const uint i = takesPixels
     ? atomicAdd(Counter(push.band.counter).next, 1u)
     : gl_LocalInvocationIndex + 64u * (gl_WorkGroupID.x + columns * gl_WorkGroupID.y);
   const uint tile = i / 64u;

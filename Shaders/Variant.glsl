@@ -3,9 +3,9 @@
 layout(constant_id = 0) const uint reconstruction = RECONSTRUCTION_BASIS;
 // Rays begin at depths of their own; else at the near plane, and nothing is read.
 layout(constant_id = 1) const bool beginsAtDepth = false;
-// Tiles are taken by a counter, in place of being dealt out with the groups: for drivers that deal
+// Pixels are taken by a counter, in place of being dealt out with the groups: for drivers that deal
 // each thread one run of groups, as those of CPUs do, of which one may cost much more than another.
-layout(constant_id = 2) const bool takesTiles = false;
+layout(constant_id = 2) const bool takesPixels = false;
 
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;

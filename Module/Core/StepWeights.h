@@ -5,6 +5,8 @@
 
 #include "Core/TransferTable.h"
 
+#include <algorithm>
+
 #include <glm/vec4.hpp>
 
 namespace exabricks
@@ -24,6 +26,14 @@ public:
   double step(const ValueRange& range, double width) const;
 
   static constexpr double LongestStep = 8.0; // cells: values of a box say little of what is between
+  /// With weights, steps grow along a ray with transmittance to the power of minus this, as an
+  /// error behind something opaque is seen less.
+  static constexpr float TransmittanceExponent = 1.0f / 3.0f;
+  /// The opacity at which rays end where pictures may err by `tolerance`.
+  static double terminationOpacity(double tolerance)
+  {
+    return std::max(1.0 - 0.25 * tolerance, 0.5);
+  }
 
 private:
   glm::dvec4 VariationUpTo(double value) const;

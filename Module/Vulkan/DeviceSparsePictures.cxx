@@ -124,7 +124,10 @@ std::vector<std::optional<SparsePictures::Difference>> DeviceSparsePictures::com
       if (!frames.empty())
       {
         this->Frames.record(commands, frames.size() * sizeof(layout::Frame));
-        this->Counters.record(commands);
+        if (this->Pass.takesPixels)
+        {
+          this->Counters.record(commands);
+        }
       }
       if (this->HasDepth)
       {

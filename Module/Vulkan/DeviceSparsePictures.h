@@ -45,7 +45,7 @@ private:
   Input Frames;
   Input Depth;
   bool HasDepth = false;
-  TileCounters Counters;
+  PixelCounters Counters;
   Output Differences;
   std::vector<Buffer> Pictures; // of this view, and beyond them some of views before
   std::map<Sampling, Place> Places;

@@ -128,8 +128,9 @@ void LevelsOfDetail::Update(
   if (!level.activeOnDevice)
   {
     const Stopwatch watch;
-    level.onDevice->setActive(
-      selectActiveRegions(level.volume, *selection.transfer, selection.weights, selection.boxes));
+    level.onDevice->setActive(selection.transfer
+        ? selectActiveRegions(level.volume, *selection.transfer, selection.weights, selection.boxes)
+        : selectAllRegions(level.volume, selection.boxes));
     level.activeOnDevice = true;
     this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
   }

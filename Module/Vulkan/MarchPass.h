@@ -19,12 +19,20 @@ constexpr std::uint32_t TileSize = 8; // local_size of March.comp
 /// How a picture is marched.
 struct MarchPass
 {
+  MarchPass() = default;
+  MarchPass(MarchPipelines& pipelines, const MarchVariant& variant)
+    : pipeline(pipelines.find(variant))
+    , layout(pipelines.layout())
+    , takesPixels(pipelines.takesPixels())
+  {
+  }
+
   vk::Pipeline pipeline;
   vk::PipelineLayout layout;
+  bool takesPixels = false; // by a counter
 
-  /// `band`: with the device addresses of a layout::Frame and, for variants that take tiles by a
-  /// counter, of a counter that is 0 and that no other pass has used since. `width` and `rows` of
-  /// pixels.
+  /// `band`: with the device addresses of a layout::Frame and, where pixels are taken by it, of a
+  /// counter that is 0 and that no other pass has used since. `width` and `rows` of pixels.
   void record(const vk::raii::CommandBuffer& commands, const layout::Band& band,
     std::uint32_t width, std::uint32_t rows) const
   {
@@ -34,13 +42,13 @@ struct MarchPass
   }
 };
 
-/// Counters of tiles for the passes of one submission.
-class TileCounters
+/// The counters by which the passes of one submission take pixels.
+class PixelCounters
 {
 public:
-  TileCounters() = default;
-  TileCounters(const std::shared_ptr<Device>& device, std::uint32_t count)
-    : Counters(device, count * sizeof(std::uint32_t), Residence::Device, "counters of tiles")
+  PixelCounters() = default;
+  PixelCounters(const std::shared_ptr<Device>& device, std::uint32_t count)
+    : Counters(device, count * sizeof(std::uint32_t), Residence::Device, "counters of pixels")
   {
   }
 

@@ -21,7 +21,7 @@ struct Constants
 {
   std::uint32_t reconstruction;
   vk::Bool32 beginsAtDepth;
-  vk::Bool32 takesTiles;
+  vk::Bool32 takesPixels;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -84,12 +84,12 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
   const vk::raii::ShaderModule shader(
     this->Owner->handle(), shaderFor(*this->Owner, variant.traversal, this->Shader));
   const Constants values{ numberOf(variant.reconstruction), variant.beginsAtDepth,
-    variant.takesTiles };
+    this->takesPixels() };
   const std::array<vk::SpecializationMapEntry, 3> entries{ vk::SpecializationMapEntry(0,
                                                              offsetof(Constants, reconstruction),
                                                              sizeof(values.reconstruction)),
     vk::SpecializationMapEntry(1, offsetof(Constants, beginsAtDepth), sizeof(values.beginsAtDepth)),
-    vk::SpecializationMapEntry(2, offsetof(Constants, takesTiles), sizeof(values.takesTiles)) };
+    vk::SpecializationMapEntry(2, offsetof(Constants, takesPixels), sizeof(values.takesPixels)) };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);

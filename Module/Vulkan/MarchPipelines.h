@@ -28,6 +28,8 @@ public:
 
   /// Made when first asked for, and kept: drivers compile for a long time. Throws vk::Error.
   vk::Pipeline find(const MarchVariant& variant);
+  /// Whether their invocations take pixels by a counter (Shaders/Variant.glsl).
+  bool takesPixels() const { return this->Owner->isCpu(); }
   /// How many were made since it was last asked.
   std::size_t takeBuilds() { return std::exchange(this->Builds, 0); }
   /// Of all of them: one layout::Band as push constants, and nothing else.

@@ -25,14 +25,12 @@ struct MarchVariant
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
   bool beginsAtDepth = false; // for views with a nearDepth
-  /// Tiles of pixels are taken by a counter (Shaders/Variant.glsl).
-  bool takesTiles = false;
 };
 
 inline auto asTuple(const MarchVariant& variant)
 {
-  return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
-    variant.beginsAtDepth, variant.takesTiles);
+  return std::make_tuple(
+    variant.traversal, variant.reconstruction, variant.blending, variant.beginsAtDepth);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

@@ -85,7 +85,10 @@ bool PictureJob::march()
           this->NearDepth.record(commands, pixels * sizeof(float));
         }
       }
-      this->Counters.record(commands);
+      if (this->Pass.takesPixels)
+      {
+        this->Counters.record(commands);
+      }
       this->Pass.record(commands, band, this->Width, rows);
       if (last)
       {

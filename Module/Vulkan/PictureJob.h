@@ -38,7 +38,7 @@ private:
   Input Depth;
   Input NearDepth;
   Output Picture;
-  TileCounters Counters;
+  PixelCounters Counters;
   MarchPass Pass;
   bool HasDepth = false;
   bool HasNearDepth = false;

@@ -13,13 +13,6 @@
 
 namespace exabricks
 {
-namespace
-{
-// Where an error is asked for, steps grow with transmittance to the power of minus this, as what is
-// behind something opaque is seen less.
-constexpr float ExponentForTolerance = 1.0f / 3.0f;
-}
-
 struct VolumeRenderer::Internals
 {
   // What the caller set.
@@ -167,8 +160,7 @@ struct VolumeRenderer::Internals
     variant.traversal = this->Measured.traversal;
     variant.reconstruction = reconstruction;
     variant.beginsAtDepth = beginsAtDepth;
-    variant.takesTiles = this->Session.device()->isCpu();
-    const vulkan::MarchPass pass{ this->Pipelines->find(variant), this->Pipelines->layout() };
+    const vulkan::MarchPass pass(*this->Pipelines, variant);
     this->Measured.pipelineBuilds += this->Pipelines->takeBuilds();
     return pass;
   }
@@ -178,7 +170,7 @@ struct VolumeRenderer::Internals
     layout::Frame frame{};
     level.onDevice->fill(frame);
     this->Colors->fill(frame);
-    frame.transmittanceExponent = this->Weights ? ExponentForTolerance : 0.0f;
+    frame.transmittanceExponent = this->Weights ? StepWeights::TransmittanceExponent : 0.0f;
     vulkan::fillView(frame, view, level.fromHalfCells);
     return frame;
   }
@@ -248,7 +240,8 @@ struct VolumeRenderer::Internals
     }
     if (weighted)
     {
-      view.quality.terminationOpacity = std::max(1.0 - 0.25 * view.quality.errorTolerance, 0.5);
+      view.quality.terminationOpacity =
+        StepWeights::terminationOpacity(view.quality.errorTolerance);
     }
     const Sampling sampling = weighted ? this->Choose(view) : this->TakeRequested(view);
     view.quality.stepScale = sampling.stepScale;

@@ -30,14 +30,12 @@ struct VariantRenderer::Internals
   vulkan::LevelsOfDetail Levels;
   std::optional<vulkan::TransferBuffers> Colors;
   TransferFunction Transfer;
-  // Of the selection, where regions are marched that show nothing.
-  const TransferFunction ShowsAll{ { { 0.0, glm::dvec4(1.0) } } };
   std::optional<StepWeights> Weights;
   VolumeRenderer::Statistics Measured;
 
   vulkan::Selection MakeSelection() const
   {
-    return { this->Program->skipsSpace ? &this->Transfer : &this->ShowsAll,
+    return { this->Program->skipsSpace ? &this->Transfer : nullptr,
       this->Weights ? &*this->Weights : nullptr, false };
   }
 
@@ -82,7 +80,8 @@ struct VariantRenderer::Internals
     this->UpdateWeights(view.quality.errorTolerance > 0.0);
     if (this->Weights)
     {
-      view.quality.terminationOpacity = std::max(1.0 - 0.25 * view.quality.errorTolerance, 0.5);
+      view.quality.terminationOpacity =
+        StepWeights::terminationOpacity(view.quality.errorTolerance);
     }
     const vulkan::LevelsOfDetail::Level& level =
       this->Update(view.quality.levelsLeftOut.value_or(0));
@@ -91,14 +90,12 @@ struct VariantRenderer::Internals
     level.onDevice->fill(frame);
     this->Colors->fill(frame);
     frame.activeBoxes = this->OwnData.address();
-    frame.transmittanceExponent = this->Weights ? 1.0f / 3.0f : 0.0f;
+    frame.transmittanceExponent = this->Weights ? StepWeights::TransmittanceExponent : 0.0f;
     vulkan::fillView(frame, view, level.fromHalfCells);
     vulkan::MarchVariant variant;
     variant.reconstruction = view.quality.reconstruction;
     variant.beginsAtDepth = view.target.nearDepth != nullptr;
-    variant.takesTiles = this->Device->isCpu();
-    this->Job.begin(
-      frame, view.target, { this->Pipelines.find(variant), this->Pipelines.layout() });
+    this->Job.begin(frame, view.target, vulkan::MarchPass(this->Pipelines, variant));
     while (this->Job.march())
     {
     }
