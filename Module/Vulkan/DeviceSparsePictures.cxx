@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/DeviceSparsePictures.h"
 
+#include "DifferenceInt64Spirv.h"
 #include "DifferenceSpirv.h"
 
 #include <algorithm>
@@ -25,7 +26,9 @@ DeviceSparsePictures::DeviceSparsePictures(std::shared_ptr<Device> device)
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
   const vk::raii::ShaderModule shader(this->Owner->handle(),
-    vk::ShaderModuleCreateInfo({}, sizeof(DifferenceSpirv), DifferenceSpirv));
+    this->Owner->hasInt64()
+      ? vk::ShaderModuleCreateInfo({}, sizeof(DifferenceInt64Spirv), DifferenceInt64Spirv)
+      : vk::ShaderModuleCreateInfo({}, sizeof(DifferenceSpirv), DifferenceSpirv));
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
   this->Pipeline = vk::raii::Pipeline(this->Owner->handle(), this->Owner->pipelineCache(),

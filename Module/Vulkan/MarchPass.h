@@ -20,8 +20,9 @@ constexpr std::uint32_t TileSize = 8; // local_size of March.comp
 struct MarchPass
 {
   MarchPass() = default;
-  MarchPass(MarchPipelines& pipelines, const MarchVariant& variant)
-    : pipeline(pipelines.find(variant))
+  /// Adds the pipelines that were made for it to `builds`.
+  MarchPass(MarchPipelines& pipelines, const MarchVariant& variant, std::size_t& builds)
+    : pipeline(pipelines.find(variant, builds))
     , layout(pipelines.layout())
     , takesPixels(pipelines.takesPixels())
   {

@@ -59,6 +59,23 @@ vk::ShaderModuleCreateInfo shaderFor(
 }
 }
 
+std::shared_ptr<MarchPipelines> MarchPipelines::ofDevice(const std::shared_ptr<Device>& device)
+{
+  static std::mutex mutex;
+  static std::map<const Device*, std::weak_ptr<MarchPipelines>> all;
+
+  const std::lock_guard<std::mutex> lock(mutex);
+  // A device that is gone may have had the address of another one, but its pipelines went first.
+  std::weak_ptr<MarchPipelines>& kept = all[device.get()];
+  std::shared_ptr<MarchPipelines> pipelines = kept.lock();
+  if (!pipelines)
+  {
+    pipelines = std::make_shared<MarchPipelines>(device);
+    kept = pipelines;
+  }
+  return pipelines;
+}
+
 MarchPipelines::MarchPipelines(std::shared_ptr<Device> device, MarchShader shader)
   : Owner(std::move(device))
   , Shader(std::move(shader))
@@ -68,13 +85,14 @@ MarchPipelines::MarchPipelines(std::shared_ptr<Device> device, MarchShader shade
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
 }
 
-vk::Pipeline MarchPipelines::find(const MarchVariant& variant)
+vk::Pipeline MarchPipelines::find(const MarchVariant& variant, std::size_t& builds)
 {
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   auto found = this->Pipelines.find(variant);
   if (found == this->Pipelines.end())
   {
     found = this->Pipelines.emplace(variant, this->Make(variant)).first;
-    ++this->Builds;
+    ++builds;
   }
   return *found->second;
 }

@@ -7,7 +7,8 @@
 #include "Vulkan/MarchVariant.h"
 
 #include <map>
-#include <utility>
+#include <memory>
+#include <mutex>
 
 namespace exabricks
 {
@@ -23,15 +24,17 @@ struct MarchShader
 class MarchPipelines
 {
 public:
+  /// Those that all renderers of a device share, for as long as one of them keeps them.
+  static std::shared_ptr<MarchPipelines> ofDevice(const std::shared_ptr<Device>& device);
+
   /// `shader`: takes the place of Shaders/March.comp in all variants; empty: none does.
   explicit MarchPipelines(std::shared_ptr<Device> device, MarchShader shader = {});
 
-  /// Made when first asked for, and kept: drivers compile for a long time. Throws vk::Error.
-  vk::Pipeline find(const MarchVariant& variant);
+  /// Made when first asked for, and kept: drivers compile for a long time. Adds those that were
+  /// made to `builds`. Any number of threads may ask. Throws vk::Error.
+  vk::Pipeline find(const MarchVariant& variant, std::size_t& builds);
   /// Whether their invocations take pixels by a counter (Shaders/Variant.glsl).
   bool takesPixels() const { return this->Owner->isCpu(); }
-  /// How many were made since it was last asked.
-  std::size_t takeBuilds() { return std::exchange(this->Builds, 0); }
   /// Of all of them: one layout::Band as push constants, and nothing else.
   vk::PipelineLayout layout() const { return *this->Layout; }
 
@@ -40,8 +43,8 @@ private:
 
   std::shared_ptr<Device> Owner;
   const MarchShader Shader;
-  std::size_t Builds = 0;
   vk::raii::PipelineLayout Layout = nullptr;
+  std::mutex Mutex; // of what follows
   std::map<MarchVariant, vk::raii::Pipeline> Pipelines;
 };
 }

@@ -23,7 +23,7 @@ struct VolumeRenderer::Internals
   vulkan::DeviceSession Session;
   vulkan::LevelsOfDetail Levels;
   std::optional<vulkan::TransferBuffers> Colors;
-  std::unique_ptr<vulkan::MarchPipelines> Pipelines;
+  std::shared_ptr<vulkan::MarchPipelines> Pipelines;
   std::unique_ptr<vulkan::PictureJob> Job;
   std::unique_ptr<vulkan::SamplingChoice> Choice;
 
@@ -70,7 +70,7 @@ struct VolumeRenderer::Internals
     this->Measured.device = this->Session.name();
     if (!this->Pipelines)
     {
-      this->Pipelines = std::make_unique<vulkan::MarchPipelines>(device);
+      this->Pipelines = vulkan::MarchPipelines::ofDevice(device);
     }
     Traversal traversal = this->RequestedTraversal;
     if (traversal == Traversal::RayQuery && !device->hasRayQuery())
@@ -160,8 +160,7 @@ struct VolumeRenderer::Internals
     variant.traversal = this->Measured.traversal;
     variant.reconstruction = reconstruction;
     variant.beginsAtDepth = beginsAtDepth;
-    const vulkan::MarchPass pass(*this->Pipelines, variant);
-    this->Measured.pipelineBuilds += this->Pipelines->takeBuilds();
+    const vulkan::MarchPass pass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
     return pass;
   }
 

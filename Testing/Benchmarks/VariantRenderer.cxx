@@ -95,7 +95,8 @@ struct VariantRenderer::Internals
     vulkan::MarchVariant variant;
     variant.reconstruction = view.quality.reconstruction;
     variant.beginsAtDepth = view.target.nearDepth != nullptr;
-    this->Job.begin(frame, view.target, vulkan::MarchPass(this->Pipelines, variant));
+    std::size_t builds = 0;
+    this->Job.begin(frame, view.target, vulkan::MarchPass(this->Pipelines, variant, builds));
     while (this->Job.march())
     {
     }

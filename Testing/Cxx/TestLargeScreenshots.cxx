@@ -13,7 +13,7 @@
 
 namespace
 {
-constexpr int Small = 100;
+constexpr int Small = 64;
 constexpr int Scale = 3;
 
 // The greatest difference in any channel between a window's picture and one that is drawn in tiles.
@@ -54,7 +54,7 @@ int TestLargeScreenshots(int, char*[])
   const test::KeepDisplay display;
   vtkNew<vtkExaBricksSceneSource> source;
   source->SetSceneToCloud();
-  source->SetNumberOfLeafCells(60000);
+  source->SetNumberOfLeafCells(20000);
   // The same scene in a small window and in a large one.
   test::Stage small(Small);
   test::Stage large(Small * Scale);

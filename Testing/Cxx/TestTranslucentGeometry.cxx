@@ -25,6 +25,9 @@
 
 namespace
 {
+constexpr int Size = 60;   // of the window
+constexpr int Behind = 15; // columns of pixels: behind the sheets, and beside them
+constexpr int Beside = 45;
 constexpr double Unit = 8.0; // all through the cube: opacity 0.5
 constexpr double Opacity = 0.5;
 // Of 8 bits a colour; the two buffers of a peel are rounded to them, each time they are blended.
@@ -107,7 +110,7 @@ int TestTranslucentGeometry(int argc, char* argv[])
 {
   test::Checks checks;
   auto amr = test::makeAMR(test::cornerRefined(), test::constant(3.0));
-  test::Stage stage(amr, 200);
+  test::Stage stage(amr, Size);
   test::setConstantColor(stage.Property(), Opacity, Green);
   stage.Property()->SetScalarOpacityUnitDistance(Unit);
   test::lookAlongZ(stage.renderer, 4.0, 4.0, 4.0, 8.0);
@@ -116,8 +119,8 @@ int TestTranslucentGeometry(int argc, char* argv[])
   {
     for (int c = 0; c < 3; ++c)
     {
-      checks.Near(
-        picture.At(x, 100)[c], layers.color[c], Rounding, what + ", channel " + std::to_string(c));
+      checks.Near(picture.At(x, Size / 2)[c], layers.color[c], Rounding,
+        what + ", channel " + std::to_string(c));
     }
   };
   const auto ofVolume = [](double from, double to)
@@ -127,7 +130,7 @@ int TestTranslucentGeometry(int argc, char* argv[])
   peelDepth(stage.renderer);
   Layers alone;
   alone.Add(Green, ofVolume(0.0, 8.0));
-  expect(test::Picture(stage.window), 50, alone, "alone");
+  expect(test::Picture(stage.window), Behind, alone, "alone");
 
   // One translucent sheet, and opaque ones at the bottom of the volume or halfway.
   Sheet sheet(stage.renderer, Red, 0.5);
@@ -156,8 +159,8 @@ int TestTranslucentGeometry(int argc, char* argv[])
         layers.Add(Red, z > bottom ? 0.5 : 0.0);
         layers.Add(Green, ofVolume(below, cut));
         layers.Add(Blue, 1.0);
-        expect(picture, 50, layers, where);
-        expect(picture, 150, alone, "beside it, " + where);
+        expect(picture, Behind, layers, where);
+        expect(picture, Beside, alone, "beside it, " + where);
         checks.Expect(stage.mapper->GetDrawn(), "drawn with the " + where);
         checks.Equal(test::Picture(stage.window).Difference(picture), 0.0, "twice, " + where);
       }
@@ -186,16 +189,17 @@ int TestTranslucentGeometry(int argc, char* argv[])
     last = z;
   }
   several.Add(Green, ofVolume(0.0, last));
-  expect(test::Picture(stage.window), 50, several, "five sheets");
+  expect(test::Picture(stage.window), Behind, several, "five sheets");
   stage.renderer->SetMaximumNumberOfPeels(1);
   const test::Picture few(stage.window);
-  checks.Near(few.At(50, 100)[0] + few.At(50, 100)[1], several.opacity, 0.02, "with one peel");
-  expect(few, 150, alone, "beside them, with one peel");
+  checks.Near(few.At(Behind, Size / 2)[0] + few.At(Behind, Size / 2)[1], several.opacity, 0.02,
+    "with one peel");
+  expect(few, Beside, alone, "beside them, with one peel");
   stage.renderer->SetMaximumNumberOfPeels(20);
 
   // With an error tolerance all pieces of a ray have the steps of the whole.
   stage.mapper->SetErrorTolerance(0.01);
-  expect(test::Picture(stage.window), 50, several, "five sheets, with a tolerance");
+  expect(test::Picture(stage.window), Behind, several, "five sheets, with a tolerance");
   stage.mapper->SetErrorTolerance(0.0);
   for (const auto& one : more)
   {
@@ -229,11 +233,11 @@ int TestTranslucentGeometry(int argc, char* argv[])
     layers.Add(Red, 0.5);
     layers.Add(Green, ofVolume(0.0, inFirst));
     layers.Add(Blue, ofVolume(-10.0, inSecond));
-    expect(two, 50, layers, "two volumes, sheet at " + std::to_string(z));
+    expect(two, Behind, layers, "two volumes, sheet at " + std::to_string(z));
     Layers both;
     both.Add(Green, ofVolume(0.0, 8.0));
     both.Add(Blue, ofVolume(0.0, 8.0));
-    expect(two, 150, both, "two volumes, beside the sheet");
+    expect(two, Beside, both, "two volumes, beside the sheet");
   }
   stage.renderer->RemoveVolume(other);
 
@@ -245,7 +249,7 @@ int TestTranslucentGeometry(int argc, char* argv[])
     {
       Layers without;
       without.Add(Red, 0.5);
-      expect(test::Picture(stage.window), 50, without, "without a device");
+      expect(test::Picture(stage.window), Behind, without, "without a device");
       checks.Expect(!stage.mapper->GetDrawn(), "not drawn without a device");
     }
     checks.Equal(messages.Errors().size(), 1, "errors without a device");
@@ -253,6 +257,7 @@ int TestTranslucentGeometry(int argc, char* argv[])
   }
 
   // A translucent ball half in the volume, in perspective.
+  stage.window->SetSize(200, 200);
   sheet.actor->VisibilityOff();
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(8.0, 2.0, 6.0);

@@ -144,7 +144,7 @@ void drawAsPeer(const std::string& peer, const Setting& setting, const std::stri
   renderer->AddVolume(volume);
   renderer->SetBackground(0.0, 0.0, 0.0);
   setCamera(setting, renderer->GetActiveCamera());
-  auto window = render::MakeWindow();
+  auto window = render::makeWindow();
   window->AddRenderer(renderer);
   window->SetDesiredUpdateRate(0.0001); // never coarser for the sake of speed
   window->SetSize(setting.width, setting.height);

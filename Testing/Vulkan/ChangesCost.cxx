@@ -46,6 +46,16 @@ TEST(ChangesCost, NothingForTheCamera)
   EXPECT_EQ(after.pipelineBuilds, before.pipelineBuilds);
 }
 
+TEST(ChangesCost, NoPipelineForAnotherRendererOfTheDevice)
+{
+  SceneRenderer first(reference::twoLevels());
+  const reference::View view = first.look({ -0.6, 0.5, -0.4 }, 30.0);
+  const reference::Image picture = first.render(view);
+  SceneRenderer second(reference::twoLevels());
+  EXPECT_EQ(largestDifference(second.render(view), picture), 0.0);
+  EXPECT_EQ(second.renderer.statistics().pipelineBuilds, 0u);
+}
+
 TEST(ChangesCost, ValuesAloneForATimeStep)
 {
   SceneRenderer subject(reference::twoLevels());
