@@ -22,7 +22,7 @@
 #include <iostream>
 
 // VTK before 9.4 aborts the program after an error of its window; this ends it before, with words.
-void EndWithoutDisplay(vtkObject*, unsigned long, void*, void* message)
+void endWithoutDisplay(vtkObject*, unsigned long, void*, void* message)
 {
   std::cerr
     << static_cast<const char*>(message)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Visits the blocks of an AMR data set that are there, in a way that all versions of VTK share.
 
-#ifndef Blocks_h
-#define Blocks_h
+#ifndef ExaBricksRenderBlocks_h
+#define ExaBricksRenderBlocks_h
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSet.h"
@@ -14,7 +14,7 @@ namespace render
 
 // Calls f(vtkDataSet*) for each block.
 template <class Function>
-void ForEachBlock(vtkOverlappingAMR* amr, Function f)
+void forEachBlock(vtkOverlappingAMR* amr, Function f)
 {
   vtkSmartPointer<vtkCompositeDataIterator> blocks;
   blocks.TakeReference(amr->NewIterator());

@@ -53,7 +53,7 @@ const Table Tables[] = {
   { "cool-warm", "3b4cc0b40426" },
 };
 
-const Table* Find(const std::string& name)
+const Table* findTable(const std::string& name)
 {
   for (const Table& table : Tables)
   {
@@ -67,7 +67,7 @@ const Table* Find(const std::string& name)
 
 }
 
-std::string ColorMapNames()
+std::string colorMapNames()
 {
   std::string names;
   for (const Table& table : Tables)
@@ -77,11 +77,11 @@ std::string ColorMapNames()
   return names;
 }
 
-bool HasColorMap(const std::string& name) { return Find(name) != nullptr; }
+bool hasColorMap(const std::string& name) { return findTable(name) != nullptr; }
 
-void FillColorMap(const std::string& name, const double range[2], vtkColorTransferFunction* colors)
+void fillColorMap(const std::string& name, const double range[2], vtkColorTransferFunction* colors)
 {
-  const Table* table = Find(name);
+  const Table* table = findTable(name);
   if (!table)
   {
     return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colour maps by name.
 
-#ifndef ColorMaps_h
-#define ColorMaps_h
+#ifndef ExaBricksRenderColorMaps_h
+#define ExaBricksRenderColorMaps_h
 
 #include <string>
 
@@ -12,12 +12,12 @@ namespace render
 {
 
 // All names, separated by commas.
-std::string ColorMapNames();
+std::string colorMapNames();
 
-bool HasColorMap(const std::string& name);
+bool hasColorMap(const std::string& name);
 
 // Spreads the map over the range; values outside take the end colours.
-void FillColorMap(const std::string& name, const double range[2], vtkColorTransferFunction* colors);
+void fillColorMap(const std::string& name, const double range[2], vtkColorTransferFunction* colors);
 
 }
 

@@ -21,7 +21,7 @@ namespace
 namespace fs = std::filesystem;
 
 // The number that a file in /dev/fd stands for, or -1.
-int DescriptorOf(const fs::path& file)
+int descriptorOf(const fs::path& file)
 {
   std::error_code error;
   const fs::path folder = fs::canonical(file.parent_path(), error);
@@ -36,19 +36,19 @@ int DescriptorOf(const fs::path& file)
 
 }
 
-void RefuseOutput(const std::string& path, const std::string& why)
+void refuseOutput(const std::string& path, const std::string& why)
 {
   throw Failure(ExitCode::OutputUnwritable, "'" + path + "' cannot be written: " + why);
 }
 
-Destination FindDestination(const std::string& path)
+Destination findDestination(const std::string& path)
 {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   fs::path target(path);
   for (int links = 0;; ++links)
   {
-    const int descriptor = DescriptorOf(target);
+    const int descriptor = descriptorOf(target);
     if (descriptor >= 0)
     {
       return { target.string(), descriptor, false };
@@ -61,11 +61,11 @@ Destination FindDestination(const std::string& path)
     if (!fs::status_known(status) && error != std::errc::too_many_symbolic_link_levels)
     {
       // The system may not let this user follow it.
-      RefuseOutput(path, "its symbolic link cannot be followed: " + error.message() + ".");
+      refuseOutput(path, "its symbolic link cannot be followed: " + error.message() + ".");
     }
     if (!fs::status_known(status) || links == 40)
     {
-      RefuseOutput(path,
+      refuseOutput(path,
         "its symbolic links lead in a circle, or through too many others. Mend the link '" +
           target.string() + "', or give another name.");
     }
@@ -74,11 +74,11 @@ Destination FindDestination(const std::string& path)
   }
   if (fs::is_directory(status))
   {
-    RefuseOutput(path, "it is a folder. Give the name of a file.");
+    refuseOutput(path, "it is a folder. Give the name of a file.");
   }
   if (fs::is_socket(status))
   {
-    RefuseOutput(path, "it is a socket. Give the name of a file, a FIFO or a device.");
+    refuseOutput(path, "it is a socket. Give the name of a file, a FIFO or a device.");
   }
   if (fs::exists(status) && !fs::is_regular_file(status))
   {
@@ -88,9 +88,9 @@ Destination FindDestination(const std::string& path)
 }
 
 #ifdef _WIN32
-bool MayBeWritten(const Destination&) { return true; }
+bool mayBeWritten(const Destination&) { return true; }
 #else
-bool MayBeWritten(const Destination& destination)
+bool mayBeWritten(const Destination& destination)
 {
   if (destination.Descriptor < 0)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the bytes go that are written to a path: symbolic links, devices, FIFOs and descriptors.
 
-#ifndef Destination_h
-#define Destination_h
+#ifndef ExaBricksRenderDestination_h
+#define ExaBricksRenderDestination_h
 
 #include <string>
 
@@ -17,14 +17,14 @@ struct Destination
 };
 
 // Throws Failure(OutputUnwritable).
-[[noreturn]] void RefuseOutput(const std::string& path, const std::string& why);
+[[noreturn]] void refuseOutput(const std::string& path, const std::string& why);
 
 // Throws Failure(OutputUnwritable) where the path leads nowhere, or to what takes no bytes.
-Destination FindDestination(const std::string& path);
+Destination findDestination(const std::string& path);
 
 // For what is not to be replaced. Opens nothing: that would wait at a FIFO that nobody reads, and
 // may disturb a device. Where it may not be written, errno says why.
-bool MayBeWritten(const Destination& destination);
+bool mayBeWritten(const Destination& destination);
 
 }
 

@@ -22,7 +22,7 @@ namespace render
 namespace
 {
 
-bool XServerAnswers()
+bool xServerAnswers()
 {
 #ifdef EXABRICKS_RENDER_HAS_X11
   // Stays open: an X server whose last client leaves starts anew, and VTK aborts if it comes
@@ -36,9 +36,9 @@ bool XServerAnswers()
 }
 
 // Before 9.4 VTK aborts the program after an error of the window, such as an X server without GLX.
-void ThrowError(vtkObject* window, unsigned long, void*, void* message)
+void throwError(vtkObject* window, unsigned long, void*, void* message)
 {
-  const std::string text = TextOf(static_cast<const char*>(message));
+  const std::string text = textOf(static_cast<const char*>(message));
   const bool onXServer = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
   throw Failure(ExitCode::RenderingFailed,
     onXServer ? "VTK cannot draw with this X server: " + text +
@@ -48,11 +48,11 @@ void ThrowError(vtkObject* window, unsigned long, void*, void* message)
 
 }
 
-vtkSmartPointer<vtkRenderWindow> MakeWindow()
+vtkSmartPointer<vtkRenderWindow> makeWindow()
 {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   // From 9.4 on VTK makes a window of another class by itself where no X server answers.
-  if (std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow" && !XServerAnswers())
+  if (std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow" && !xServerAnswers())
   {
     const char* name = std::getenv("DISPLAY");
     throw Failure(ExitCode::RenderingFailed,
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow()
         "): run it under xvfb-run, as in xvfb-run -a exabricks-render ...");
   }
   vtkNew<vtkCallbackCommand> onError;
-  onError->SetCallback(ThrowError);
+  onError->SetCallback(throwError);
   window->AddObserver(vtkCommand::ErrorEvent, onError);
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);

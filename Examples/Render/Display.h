@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window that is drawn in, off screen.
 
-#ifndef Display_h
-#define Display_h
+#ifndef ExaBricksRenderDisplay_h
+#define ExaBricksRenderDisplay_h
 
 #include "vtkSmartPointer.h"
 
@@ -13,7 +13,7 @@ namespace render
 
 // Throws Failure(RenderingFailed) where VTK would abort the program: it needs an X server and there
 // is none.
-vtkSmartPointer<vtkRenderWindow> MakeWindow();
+vtkSmartPointer<vtkRenderWindow> makeWindow();
 
 }
 

@@ -2,8 +2,8 @@
 // What the program ends with: exit codes, and the exception that carries one up to main() with its
 // message.
 
-#ifndef Failure_h
-#define Failure_h
+#ifndef ExaBricksRenderFailure_h
+#define ExaBricksRenderFailure_h
 
 #include <stdexcept>
 #include <string>

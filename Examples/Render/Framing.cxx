@@ -19,7 +19,7 @@ namespace
 constexpr double Margin = 1.05;
 
 // From the data towards the camera.
-Vector3 Direction(const std::string& view)
+Vector3 directionOf(const std::string& view)
 {
   if (view == "iso")
   {
@@ -36,7 +36,7 @@ struct Axes
   Vector3 Right, Up, Back;
 };
 
-Axes MakeAxes(Vector3 back, Vector3 up)
+Axes makeAxes(Vector3 back, Vector3 up)
 {
   Axes axes;
   axes.Back = back;
@@ -64,7 +64,7 @@ struct Fit
   double ParallelScale = 0.0; // half the height of the picture
 };
 
-Fit FitBounds(
+Fit fitBounds(
   const double bounds[6], const Vector3& focal, const Axes& axes, double viewAngle, double aspect)
 {
   const double slope = std::tan(0.5 * vtkMath::RadiansFromDegrees(viewAngle));
@@ -87,7 +87,7 @@ Fit FitBounds(
 
 }
 
-void PlaceCamera(const Options& options, const double bounds[6], vtkCamera* camera)
+void placeCamera(const Options& options, const double bounds[6], vtkCamera* camera)
 {
   Vector3 focal;
   for (int a = 0; a < 3; ++a)
@@ -96,17 +96,17 @@ void PlaceCamera(const Options& options, const double bounds[6], vtkCamera* came
   }
   focal = options.Focal.value_or(focal);
 
-  Vector3 back = Direction(options.View);
+  Vector3 back = directionOf(options.View);
   if (options.Position)
   {
     vtkMath::Subtract(options.Position->data(), focal.data(), back.data());
   }
   const bool alongZ = std::hypot(back[0], back[1]) < 1e-6 * std::abs(back[2]);
   const Vector3 z{ { 0.0, 0.0, 1.0 } }, y{ { 0.0, 1.0, 0.0 } };
-  const Axes axes = MakeAxes(back, options.Up.value_or(alongZ ? y : z));
+  const Axes axes = makeAxes(back, options.Up.value_or(alongZ ? y : z));
 
   const double aspect = static_cast<double>(options.Size[0]) / options.Size[1];
-  const Fit fit = FitBounds(bounds, focal, axes, options.ViewAngle, aspect);
+  const Fit fit = fitBounds(bounds, focal, axes, options.ViewAngle, aspect);
   Vector3 position;
   for (int a = 0; a < 3; ++a)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the camera stands.
 
-#ifndef Framing_h
-#define Framing_h
+#ifndef ExaBricksRenderFraming_h
+#define ExaBricksRenderFraming_h
 
 #include "Options.h"
 
@@ -13,7 +13,7 @@ namespace render
 
 // Sets the camera as the options ask; what they leave open is chosen so that all of the bounds is
 // in view. Throws Failure(BadArguments) if the options place it so that it has no direction.
-void PlaceCamera(const Options& options, const double bounds[6], vtkCamera* camera);
+void placeCamera(const Options& options, const double bounds[6], vtkCamera* camera);
 
 }
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 }
 
 // An AMReX plotfile is a folder; its file Header begins with a line such as HyperCLaw-V1.1.
-void CheckPlotfile(const std::string& folder)
+void checkPlotfile(const std::string& folder)
 {
   const std::string advice = " Give the folder of an AMReX plotfile, such as plt00216.";
   std::ifstream header(fs::path(folder) / "Header");
@@ -40,7 +40,7 @@ void CheckPlotfile(const std::string& folder)
   }
 }
 
-void CheckHDF(const std::string& path)
+void checkHDF(const std::string& path)
 {
   char signature[8] = {};
   std::ifstream(path, std::ios::binary).read(signature, sizeof(signature));
@@ -51,7 +51,7 @@ void CheckHDF(const std::string& path)
 }
 
 // Enzo: grids are listed in NAME.hierarchy, parameters are in NAME beside it.
-void CheckHierarchy(const std::string& path)
+void checkHierarchy(const std::string& path)
 {
   std::ifstream file(path);
   std::string word;
@@ -69,7 +69,7 @@ void CheckHierarchy(const std::string& path)
 
 }
 
-InputKind FindInputKind(const std::string& path)
+InputKind findInputKind(const std::string& path)
 {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
@@ -78,7 +78,7 @@ InputKind FindInputKind(const std::string& path)
   }
   if (fs::is_directory(path, ignored))
   {
-    CheckPlotfile(path);
+    checkPlotfile(path);
     return InputKind::AMReX;
   }
   if (!std::ifstream(path))
@@ -92,12 +92,12 @@ InputKind FindInputKind(const std::string& path)
   }
   if (ending == ".hierarchy")
   {
-    CheckHierarchy(path);
+    checkHierarchy(path);
     return InputKind::Enzo;
   }
   if (ending == ".hdf5" || ending == ".vtkhdf")
   {
-    CheckHDF(path);
+    checkHDF(path);
     return ending == ".hdf5" ? InputKind::Flash : InputKind::VTKHDF;
   }
   Refuse("'" + path +

@@ -2,8 +2,8 @@
 // What kind of data set a path leads to, by its name and by its first bytes: VTK's readers can
 // crash on what they do not expect.
 
-#ifndef InputKind_h
-#define InputKind_h
+#ifndef ExaBricksRenderInputKind_h
+#define ExaBricksRenderInputKind_h
 
 #include <string>
 
@@ -20,7 +20,7 @@ enum class InputKind
 };
 
 // Throws Failure(InputUnreadable) with what is missing.
-InputKind FindInputKind(const std::string& path);
+InputKind findInputKind(const std::string& path);
 
 }
 

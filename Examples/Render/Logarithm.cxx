@@ -48,11 +48,11 @@ struct LogarithmWorker
 
 }
 
-std::string AddLogarithm(
+std::string addLogarithm(
   vtkOverlappingAMR* amr, const std::string& array, std::optional<int> component)
 {
   const std::string name = "log10(" + array + ")";
-  ForEachBlock(amr,
+  forEachBlock(amr,
     [&](vtkDataSet* block)
     {
       vtkDataArray* in = block->GetCellData()->GetArray(array.c_str());

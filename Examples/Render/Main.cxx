@@ -25,7 +25,7 @@ namespace
 using namespace render;
 
 // The array that was named, or the first scalar one.
-ArrayInfo ChooseArray(const Options& options, const AMRFile& file)
+ArrayInfo chooseArray(const Options& options, const AMRFile& file)
 {
   const ArrayInfo* chosen = nullptr;
   std::string names;
@@ -58,42 +58,42 @@ ArrayInfo ChooseArray(const Options& options, const AMRFile& file)
   return *chosen;
 }
 
-void DrawIntoFile(const Options& options)
+void drawIntoFile(const Options& options)
 {
   AMRFile file(options.Input);
   if (options.ListArrays)
   {
-    PrintArrays(std::cout, file);
+    printArrays(std::cout, file);
     return;
   }
-  const ArrayInfo array = ChooseArray(options, file);
-  CheckWritable(options.Output);
+  const ArrayInfo array = chooseArray(options, file);
+  checkWritable(options.Output);
   if (!options.Statistics.empty())
   {
-    CheckWritable(options.Statistics);
+    checkWritable(options.Statistics);
   }
 
-  auto window = MakeWindow();
+  auto window = makeWindow();
 
   const auto start = std::chrono::steady_clock::now();
   auto amr = file.Read(array.Name, options.Levels, options.Quiet);
   const std::chrono::duration<double> readTime = std::chrono::steady_clock::now() - start;
 
   const std::string drawn =
-    options.Log ? AddLogarithm(amr, array.Name, options.Component) : array.Name;
+    options.Log ? addLogarithm(amr, array.Name, options.Component) : array.Name;
   Picture picture(options, window, amr, drawn, options.Log ? 1 : array.Components);
   picture.Prepare();
   picture.Draw();
 
   const render::Run run{ options, file, picture, array, readTime.count() };
-  WritePNG(options.Output, picture.Pixels());
+  writePNG(options.Output, picture.Pixels());
   if (!options.Statistics.empty())
   {
-    WriteText(options.Statistics, Statistics(run));
+    writeText(options.Statistics, statisticsJson(run));
   }
   if (!options.Quiet)
   {
-    PrintReport(std::cout, run);
+    printReport(std::cout, run);
   }
 }
 
@@ -104,11 +104,11 @@ int main(int argc, char** argv)
   Options options;
   try
   {
-    if (ParseOptions(argc, argv, options))
+    if (parseOptions(argc, argv, options))
     {
-      TakeMessages(options.Quiet);
-      DrawIntoFile(options);
-      ThrowIfErrors(ExitCode::RenderingFailed, "VTK met an error while it cleaned up");
+      takeMessages(options.Quiet);
+      drawIntoFile(options);
+      throwIfErrors(ExitCode::RenderingFailed, "VTK met an error while it cleaned up");
     }
     return static_cast<int>(ExitCode::Fine);
   }

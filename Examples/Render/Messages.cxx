@@ -25,7 +25,7 @@ namespace render
 namespace
 {
 
-bool ErrorStreamIsTerminal()
+bool errorStreamIsTerminal()
 {
 #ifdef _WIN32
   return _isatty(2) != 0;
@@ -42,7 +42,7 @@ public:
 
   void DisplayErrorText(const char* message) override
   {
-    const std::string text = TextOf(message);
+    const std::string text = textOf(message);
     // The pipeline says again, in its own words, that a filter failed; the filter's words are the
     // ones to keep.
     const bool echo = text.find("returned failure for request") != std::string::npos;
@@ -56,7 +56,7 @@ public:
   {
     if (!this->Quiet)
     {
-      std::cerr << "Warning: " << TextOf(message) << '\n';
+      std::cerr << "Warning: " << textOf(message) << '\n';
     }
   }
   void DisplayGenericWarningText(const char* message) override
@@ -71,11 +71,14 @@ public:
 
 vtkStandardNewMacro(MessageWindow);
 
-MessageWindow* Messages() { return MessageWindow::SafeDownCast(vtkOutputWindow::GetInstance()); }
+MessageWindow* messageWindow()
+{
+  return MessageWindow::SafeDownCast(vtkOutputWindow::GetInstance());
+}
 
 }
 
-std::string TextOf(const char* message)
+std::string textOf(const char* message)
 {
   std::string text = message ? message : "";
   const std::size_t place = text.find(", line ");
@@ -94,7 +97,7 @@ std::string TextOf(const char* message)
   return text;
 }
 
-void TakeMessages(bool quiet)
+void takeMessages(bool quiet)
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<MessageWindow> window;
@@ -102,10 +105,10 @@ void TakeMessages(bool quiet)
   vtkOutputWindow::SetInstance(window);
 }
 
-void ThrowIfErrors(ExitCode code, const std::string& doing)
+void throwIfErrors(ExitCode code, const std::string& doing)
 {
   std::vector<std::string> errors;
-  if (MessageWindow* window = Messages())
+  if (MessageWindow* window = messageWindow())
   {
     errors.swap(window->Errors);
   }
@@ -129,7 +132,7 @@ void ThrowIfErrors(ExitCode code, const std::string& doing)
 Progress::Progress(const std::string& what, bool quiet)
   : What(what)
   , Quiet(quiet)
-  , Terminal(ErrorStreamIsTerminal())
+  , Terminal(errorStreamIsTerminal())
 {
   if (!this->Quiet)
   {

@@ -2,8 +2,8 @@
 // What VTK has to say during the run: errors are kept, so that the run can end with one clear
 // message; warnings are printed. Also the progress of long work.
 
-#ifndef Messages_h
-#define Messages_h
+#ifndef ExaBricksRenderMessages_h
+#define ExaBricksRenderMessages_h
 
 #include "Failure.h"
 
@@ -15,14 +15,14 @@ namespace render
 {
 
 // "ERROR: In file.cxx, line 7\nvtkClass (0x1234): text\n\n" -> "text"
-std::string TextOf(const char* message);
+std::string textOf(const char* message);
 
 // Takes VTK's messages from here on.
-void TakeMessages(bool quiet);
+void takeMessages(bool quiet);
 
 // Throws a Failure with the errors that came since the last call, if there were any.
 // doing: what was going on, such as "The input could not be read".
-void ThrowIfErrors(ExitCode code, const std::string& doing);
+void throwIfErrors(ExitCode code, const std::string& doing);
 
 // One line on a terminal that is written over, plain lines elsewhere, all on the error stream;
 // nothing when quiet.

@@ -20,7 +20,7 @@ constexpr double LargestExtinction = 5.0; // per unit distance: opacity 0.993
 constexpr double SmallestExtinction = 0.02;
 
 // 0 in the background, up to 1 at the rarest values that are farthest from the most common one.
-std::vector<double> Interest(const std::vector<vtkIdType>& counts, bool belowToo)
+std::vector<double> interestOf(const std::vector<vtkIdType>& counts, bool belowToo)
 {
   const int bins = static_cast<int>(counts.size());
   std::vector<int> byCount(bins);
@@ -55,7 +55,7 @@ std::vector<double> Interest(const std::vector<vtkIdType>& counts, bool belowToo
 
 // At the ends of the intervals: the mean of the bins beside, or 0 if the background reaches into
 // them, so that the line between two points is 0 over the background too.
-std::vector<double> AtPoints(const std::vector<double>& interest)
+std::vector<double> atPoints(const std::vector<double>& interest)
 {
   const int bins = static_cast<int>(interest.size());
   std::vector<double> points(Intervals + 1, 0.0);
@@ -73,7 +73,7 @@ std::vector<double> AtPoints(const std::vector<double>& interest)
 }
 
 // Mean over all cells of the line through the points.
-double MeanOverCells(const std::vector<double>& points, const std::vector<vtkIdType>& counts)
+double meanOverCells(const std::vector<double>& points, const std::vector<vtkIdType>& counts)
 {
   const double bins = static_cast<double>(counts.size());
   double sum = 0.0, total = 0.0;
@@ -89,12 +89,12 @@ double MeanOverCells(const std::vector<double>& points, const std::vector<vtkIdT
 
 }
 
-double DefaultOpacityUnit(const double bounds[6])
+double defaultOpacityUnit(const double bounds[6])
 {
   return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]) / 100.0;
 }
 
-std::vector<OpacityPoint> OpacityFromHistogram(
+std::vector<OpacityPoint> opacityFromHistogram(
   const std::vector<vtkIdType>& counts, const double range[2], bool belowToo)
 {
   const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
@@ -103,15 +103,15 @@ std::vector<OpacityPoint> OpacityFromHistogram(
     return { { range[0], 1.0 - std::exp(-MeanOpticalDepth / MeanPath) } };
   }
 
-  std::vector<double> points = AtPoints(Interest(counts, belowToo));
-  double mean = MeanOverCells(points, counts);
+  std::vector<double> points = atPoints(interestOf(counts, belowToo));
+  double mean = meanOverCells(points, counts);
   if (!(mean > 0.0))
   {
     for (int p = 0; p <= Intervals; ++p)
     {
       points[p] = std::max(0.0, (p - 0.25 * Intervals) / (0.75 * Intervals));
     }
-    mean = std::max(MeanOverCells(points, counts), 1e-12);
+    mean = std::max(meanOverCells(points, counts), 1e-12);
   }
 
   const double extinction =

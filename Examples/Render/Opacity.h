@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opacity from the data: what is rare is shown, what is common is clear.
 
-#ifndef Opacity_h
-#define Opacity_h
+#ifndef ExaBricksRenderOpacity_h
+#define ExaBricksRenderOpacity_h
 
 #include "Options.h"
 
@@ -18,7 +18,7 @@ constexpr int HistogramBins = 512;
 
 // Distance for which opacities hold, if none is given: a hundredth of the diagonal, so that a ray
 // through the data is some 50 to 100 units long.
-double DefaultOpacityUnit(const double bounds[6]);
+double defaultOpacityUnit(const double bounds[6]);
 
 // Opacity points, per unit distance, from the histogram of the leaf cells over the range of values.
 //
@@ -30,7 +30,7 @@ double DefaultOpacityUnit(const double bounds[6]);
 // constant field. The others show the more, the rarer they are and the farther from the most common
 // value. The height is set so that an average ray is dimmed to about a third. Without rare values,
 // as in a uniform histogram, opacity rises along the range.
-std::vector<OpacityPoint> OpacityFromHistogram(
+std::vector<OpacityPoint> opacityFromHistogram(
   const std::vector<vtkIdType>& counts, const double range[2], bool belowToo);
 
 }

@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 const int AllLevels = 1000000;
 
 template <class ReaderType>
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path)
 {
   auto reader = vtkSmartPointer<ReaderType>::New();
   reader->SetFileName(path.c_str());
@@ -47,35 +47,35 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   throw Failure(ExitCode::InputUnreadable, message);
 }
 
-vtkSmartPointer<vtkAlgorithm> ReaderFor(std::string path)
+vtkSmartPointer<vtkAlgorithm> readerFor(std::string path)
 {
   // A slash at the end would stay in the names that the AMReX reader makes.
   while (path.size() > 1 && path.back() == '/')
   {
     path.pop_back();
   }
-  switch (FindInputKind(path))
+  switch (findInputKind(path))
   {
     case InputKind::AMReX:
-      return MakeReader<vtkAMReXGridReader>(path);
+      return makeReader<vtkAMReXGridReader>(path);
     case InputKind::Enzo:
-      return MakeReader<vtkAMREnzoReader>(path);
+      return makeReader<vtkAMREnzoReader>(path);
     case InputKind::Flash:
-      return MakeReader<vtkAMRFlashReader>(path);
+      return makeReader<vtkAMRFlashReader>(path);
     case InputKind::VTKHDF:
 #ifdef EXABRICKS_RENDER_HAS_HDF
-      return MakeReader<vtkHDFReader>(path);
+      return makeReader<vtkHDFReader>(path);
 #else
       Refuse("This build cannot read .vtkhdf files: VTK's module IOHDF was not there.");
 #endif
     case InputKind::XML:
       break;
   }
-  return MakeReader<vtkXMLUniformGridAMRReader>(path);
+  return makeReader<vtkXMLUniformGridAMRReader>(path);
 }
 
 // Switches one cell array on, and the others off.
-void SelectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, const std::string& name)
+void selectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, const std::string& name)
 {
   for (const ArrayInfo& array : arrays)
   {
@@ -101,10 +101,10 @@ void SelectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, cons
 
 AMRFile::AMRFile(const std::string& path)
   : Path(path)
-  , Reader(ReaderFor(path))
+  , Reader(readerFor(path))
 {
   this->RunReader([this] { this->Reader->UpdateInformation(); });
-  ThrowIfErrors(ExitCode::InputUnreadable, "'" + path + "' could not be read");
+  throwIfErrors(ExitCode::InputUnreadable, "'" + path + "' could not be read");
   this->FindArrays();
 }
 
@@ -124,7 +124,7 @@ void AMRFile::RunReader(const std::function<void()>& work) const
       this->ReaderName() + " ended with " + error.what() +
       "). Check that it was copied whole; if it was, use --levels to read fewer levels, or a "
       "machine with more memory";
-    ThrowIfErrors(ExitCode::InputUnreadable, message);
+    throwIfErrors(ExitCode::InputUnreadable, message);
     Refuse(message + ".");
   }
 }
@@ -166,7 +166,7 @@ void AMRFile::FindArrays()
   this->RunReader([this] { this->Reader->Update(); });
   enableAll(0);
   auto amr = this->Output("could not be read");
-  ForEachBlock(amr,
+  forEachBlock(amr,
     [this](vtkDataSet* block)
     {
       if (!this->CellArrays.empty())
@@ -188,7 +188,7 @@ void AMRFile::FindArrays()
 
 vtkSmartPointer<vtkOverlappingAMR> AMRFile::Output(const std::string& doing) const
 {
-  ThrowIfErrors(ExitCode::InputUnreadable, "'" + this->Path + "' " + doing);
+  throwIfErrors(ExitCode::InputUnreadable, "'" + this->Path + "' " + doing);
   vtkDataObject* output = this->Reader->GetOutputDataObject(0);
   vtkSmartPointer<vtkOverlappingAMR> amr = vtkOverlappingAMR::SafeDownCast(output);
   if (!amr)
@@ -210,11 +210,11 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   Progress progress("Reading " + this->Path, quiet);
   progress.Follow(this->Reader);
   this->SetLevels(levels);
-  SelectOnly(this->Reader, this->CellArrays, array);
+  selectOnly(this->Reader, this->CellArrays, array);
   this->RunReader([this] { this->Reader->Update(); });
   auto amr = this->Output("could not be read");
   bool empty = true;
-  ForEachBlock(amr, [&empty](vtkDataSet*) { empty = false; });
+  forEachBlock(amr, [&empty](vtkDataSet*) { empty = false; });
   if (empty)
   {
     Refuse("'" + this->Path + "' holds no blocks: there is nothing to draw.");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens an AMR data set with the reader of VTK that its name asks for.
 
-#ifndef OpenAMR_h
-#define OpenAMR_h
+#ifndef ExaBricksRenderOpenAMR_h
+#define ExaBricksRenderOpenAMR_h
 
 #include "vtkOverlappingAMR.h"
 #include "vtkSmartPointer.h"

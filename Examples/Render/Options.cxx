@@ -54,29 +54,29 @@ const char* const Footer =
   "4 output cannot be written.";
 
 // CLI11's own let NaN through, which is neither below nor above.
-CLI::Validator Number(const std::string& which, const std::function<bool(double)>& fits)
+CLI::Validator numberThat(const std::string& which, const std::function<bool(double)>& fits)
 {
   return CLI::Validator(
     [=](std::string& value)
     {
       double number = 0.0;
-      return ParseNumber(value, number) && fits(number)
+      return parseNumber(value, number) && fits(number)
         ? std::string()
         : "expected a number " + which + ", found '" + value + "'";
     },
     which);
 }
 
-CLI::Validator Between(double least, double most)
+CLI::Validator numberBetween(double least, double most)
 {
   std::ostringstream which;
   which << "from " << least << " to " << most;
-  return Number(which.str(), [=](double number) { return number >= least && number <= most; });
+  return numberThat(which.str(), [=](double number) { return number >= least && number <= most; });
 }
 
-CLI::Validator Positive()
+CLI::Validator positiveNumber()
 {
-  return Number("above 0", [](double number) { return number > 0.0; });
+  return numberThat("above 0", [](double number) { return number > 0.0; });
 }
 
 // The options as typed, where a value has to be looked at after CLI11 is through.
@@ -86,7 +86,7 @@ struct Texts
   std::vector<double> Range;
 };
 
-void AddOptions(CLI::App& app, Options& o, Texts& texts)
+void addOptions(CLI::App& app, Options& o, Texts& texts)
 {
   app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT")->required();
   app.add_option("output", o.Output, "PNG file to write")->type_name("OUTPUT.png");
@@ -136,16 +136,16 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(camera);
   app.add_option("--view-angle", o.ViewAngle, "Vertical angle of view in degrees [30]")
     ->type_name("DEG")
-    ->check(Between(0.1, 170.0))
+    ->check(numberBetween(0.1, 170.0))
     ->group(camera);
   app.add_flag("--parallel", o.Parallel, "Parallel projection")->group(camera);
   app.add_option("--zoom", o.Zoom, "Enlarge the picture about its centre [1]")
     ->type_name("FACTOR")
-    ->check(Positive())
+    ->check(positiveNumber())
     ->group(camera);
 
   const std::string look = "Look";
-  app.add_option("--color-map", o.ColorMap, "Colour map: " + ColorMapNames() + " [viridis]")
+  app.add_option("--color-map", o.ColorMap, "Colour map: " + colorMapNames() + " [viridis]")
     ->type_name("NAME")
     ->group(look);
   app.add_option("--range", texts.Range, "Values at the ends of the colour map [all leaf cells]")
@@ -159,7 +159,7 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     .add_option(
       "--opacity-unit", o.OpacityUnit, "Distance that opacities hold for [diagonal / 100]")
     ->type_name("LENGTH")
-    ->check(Positive())
+    ->check(positiveNumber())
     ->group(look);
   app.add_option("--background", texts.Background, "Colour behind the volume [black]")
     ->type_name("R,G,B|NAME")
@@ -174,13 +174,13 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(method);
   app.add_option("--step-scale", o.StepScale, "Step along a ray, in cells [1]; 0.5 draws smoother")
     ->type_name("S")
-    ->check(Between(0.001, 1000.0))
+    ->check(numberBetween(0.001, 1000.0))
     ->group(method);
   app
     .add_option("--error-tolerance", o.ErrorTolerance,
       "Error to draw with, of drawn pixels in [0, 1], instead of a step scale; 0.004 is one of 255")
     ->type_name("E")
-    ->check(Between(0.0, 1.0))
+    ->check(numberBetween(0.0, 1.0))
     ->group(method);
   app.add_option("--traversal", o.Traversal, "automatic, ray-query or kd-tree [automatic]")
     ->type_name("KIND")
@@ -195,13 +195,13 @@ void AddOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(method);
 }
 
-void TakeTexts(const Texts& texts, Options& o)
+void takeTexts(const Texts& texts, Options& o)
 {
   auto vector = [](const char* option, const std::string& text, std::optional<Vector3>& v)
   {
     if (!text.empty())
     {
-      v = ParseVector(option, text);
+      v = parseVector(option, text);
     }
   };
   vector("--position", texts.Position, o.Position);
@@ -209,20 +209,20 @@ void TakeTexts(const Texts& texts, Options& o)
   vector("--up", texts.Up, o.Up);
   if (!texts.Size.empty())
   {
-    o.Size = ParseSize("--size", texts.Size);
+    o.Size = parseSize("--size", texts.Size);
   }
   if (!texts.Background.empty())
   {
-    o.Background = ParseColor("--background", texts.Background);
+    o.Background = parseColor("--background", texts.Background);
     o.BackgroundName = texts.Background;
   }
   if (!texts.Component.empty())
   {
-    o.Component = ParseComponent("--component", texts.Component);
+    o.Component = parseComponent("--component", texts.Component);
   }
   if (!texts.Opacity.empty())
   {
-    o.Opacity = ParseOpacity("--opacity", texts.Opacity);
+    o.Opacity = parseOpacity("--opacity", texts.Opacity);
   }
   if (!texts.Range.empty())
   {
@@ -230,7 +230,7 @@ void TakeTexts(const Texts& texts, Options& o)
   }
 }
 
-void PrintDevices(std::ostream& out)
+void printDevices(std::ostream& out)
 {
   vtkNew<vtkStringArray> lines;
   vtkExaBricksVolumeMapper::GetDevices(lines);
@@ -244,7 +244,7 @@ void PrintDevices(std::ostream& out)
   }
 }
 
-void CheckTogether(const Options& o, bool viewGiven)
+void checkTogether(const Options& o, bool viewGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
   if (!o.ListArrays)
@@ -258,9 +258,9 @@ void CheckTogether(const Options& o, bool viewGiven)
       refuse("The output has to end in .png, found '" + o.Output + "'.");
     }
   }
-  if (!HasColorMap(o.ColorMap))
+  if (!hasColorMap(o.ColorMap))
   {
-    refuse("--color-map takes one of " + ColorMapNames() + ", not '" + o.ColorMap + "'.");
+    refuse("--color-map takes one of " + colorMapNames() + ", not '" + o.ColorMap + "'.");
   }
   if (viewGiven && o.Position)
   {
@@ -282,7 +282,7 @@ void CheckTogether(const Options& o, bool viewGiven)
 
 }
 
-bool ParseOptions(int argc, char** argv, Options& options)
+bool parseOptions(int argc, char** argv, Options& options)
 {
   CLI::App app(Description, "exabricks-render");
   app.footer(Footer);
@@ -291,7 +291,7 @@ bool ParseOptions(int argc, char** argv, Options& options)
     std::string("exabricks-render " EXABRICKS_VERSION " (VTK ") + vtkVersion::GetVTKVersion() +
       ")");
   Texts texts;
-  AddOptions(app, options, texts);
+  addOptions(app, options, texts);
   try
   {
     app.parse(argc, argv);
@@ -302,7 +302,7 @@ bool ParseOptions(int argc, char** argv, Options& options)
     {
       if (app.count("--list-devices") > 0)
       {
-        PrintDevices(std::cout);
+        printDevices(std::cout);
       }
       app.exit(error, std::cout, std::cerr);
       return false;
@@ -310,8 +310,8 @@ bool ParseOptions(int argc, char** argv, Options& options)
     throw Failure(ExitCode::BadArguments,
       std::string(error.what()) + "\nSee exabricks-render --help for what can be asked for.");
   }
-  TakeTexts(texts, options);
-  CheckTogether(options, app.count("--view") > 0);
+  takeTexts(texts, options);
+  checkTogether(options, app.count("--view") > 0);
   return true;
 }
 

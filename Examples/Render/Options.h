@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command line: what may be asked for, checked as far as it can be without the data.
 
-#ifndef Options_h
-#define Options_h
+#ifndef ExaBricksRenderOptions_h
+#define ExaBricksRenderOptions_h
 
 #include <array>
 #include <optional>
@@ -57,7 +57,7 @@ struct Options
 
 // Reads the command line. False: there is nothing left to do (--help or --version was answered).
 // Throws Failure(BadArguments).
-bool ParseOptions(int argc, char** argv, Options& options);
+bool parseOptions(int argc, char** argv, Options& options);
 
 }
 

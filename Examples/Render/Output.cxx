@@ -34,7 +34,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::string TemporaryBeside(const std::string& path)
+std::string temporaryBeside(const std::string& path)
 {
   const fs::path target(path);
   const std::string name =
@@ -44,7 +44,7 @@ std::string TemporaryBeside(const std::string& path)
 
 // Gives one file the owner and the permissions of another, if there is that one. Somebody else's
 // owner stays what it is where this user may not set it.
-void TakeOwnerAndPermissions(const std::string& from, const std::string& to)
+void takeOwnerAndPermissions(const std::string& from, const std::string& to)
 {
 #ifdef _WIN32
   (void)from;
@@ -61,17 +61,17 @@ void TakeOwnerAndPermissions(const std::string& from, const std::string& to)
 #endif
 }
 
-void Replace(
+void replaceFile(
   const std::string& path, const std::string& target, const char* bytes, std::size_t size)
 {
-  const std::string temporary = TemporaryBeside(target);
+  const std::string temporary = temporaryBeside(target);
   std::error_code error, ignored;
   errno = 0;
   {
     std::ofstream file(temporary, std::ios::binary);
     if (file)
     {
-      TakeOwnerAndPermissions(target, temporary);
+      takeOwnerAndPermissions(target, temporary);
       errno = 0;
     }
     file.write(bytes, static_cast<std::streamsize>(size));
@@ -80,25 +80,25 @@ void Replace(
     {
       const std::string why = errno ? std::strerror(errno) : "the disk may be full";
       fs::remove(temporary, ignored);
-      RefuseOutput(path, why + ".");
+      refuseOutput(path, why + ".");
     }
   }
   fs::rename(temporary, target, error);
   if (error)
   {
     fs::remove(temporary, ignored);
-    RefuseOutput(path, error.message() + ".");
+    refuseOutput(path, error.message() + ".");
   }
 }
 
 #ifdef _WIN32
-std::FILE* OpenAsItIs(const Destination& destination)
+std::FILE* openAsItIs(const Destination& destination)
 {
   return std::fopen(destination.Target.c_str(), "wb");
 }
 #else
 // A descriptor is written to at the place where it stands. Nothing is made if the path has gone.
-std::FILE* OpenAsItIs(const Destination& destination)
+std::FILE* openAsItIs(const Destination& destination)
 {
   const int descriptor = destination.Descriptor < 0
     ? open(destination.Target.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)
@@ -107,7 +107,7 @@ std::FILE* OpenAsItIs(const Destination& destination)
 }
 #endif
 
-void WriteAsItIs(
+void writeAsItIs(
   const std::string& path, const Destination& destination, const char* bytes, std::size_t size)
 {
 #ifndef _WIN32
@@ -115,7 +115,7 @@ void WriteAsItIs(
   const auto before = std::signal(SIGPIPE, SIG_IGN);
 #endif
   errno = 0;
-  std::FILE* file = OpenAsItIs(destination);
+  std::FILE* file = openAsItIs(destination);
   bool fine = file && std::fwrite(bytes, 1, size, file) == size && std::fflush(file) == 0;
   std::string why = errno ? std::strerror(errno) : "it took less than all bytes";
   if (file && std::fclose(file) != 0 && fine)
@@ -128,34 +128,34 @@ void WriteAsItIs(
 #endif
   if (!fine)
   {
-    RefuseOutput(path, why + ".");
+    refuseOutput(path, why + ".");
   }
 }
 
-void WriteWhole(const std::string& path, const char* bytes, std::size_t size)
+void writeWhole(const std::string& path, const char* bytes, std::size_t size)
 {
-  const Destination destination = FindDestination(path);
+  const Destination destination = findDestination(path);
   if (destination.Replace)
   {
-    Replace(path, destination.Target, bytes, size);
+    replaceFile(path, destination.Target, bytes, size);
   }
   else
   {
-    WriteAsItIs(path, destination, bytes, size);
+    writeAsItIs(path, destination, bytes, size);
   }
 }
 
 }
 
-void CheckWritable(const std::string& path)
+void checkWritable(const std::string& path)
 {
-  const Destination destination = FindDestination(path);
+  const Destination destination = findDestination(path);
   std::error_code error;
   if (!destination.Replace)
   {
-    if (!MayBeWritten(destination))
+    if (!mayBeWritten(destination))
     {
-      RefuseOutput(
+      refuseOutput(
         path, std::string(std::strerror(errno)) + ". Give the name of a file that you may write.");
     }
     return;
@@ -163,34 +163,34 @@ void CheckWritable(const std::string& path)
   const fs::path folder = fs::absolute(destination.Target).parent_path();
   if (!fs::is_directory(folder, error))
   {
-    RefuseOutput(path, "there is no folder '" + folder.string() + "'. Make it first.");
+    refuseOutput(path, "there is no folder '" + folder.string() + "'. Make it first.");
   }
-  const std::string temporary = TemporaryBeside(destination.Target);
+  const std::string temporary = temporaryBeside(destination.Target);
   errno = 0;
   const bool opened = static_cast<bool>(std::ofstream(temporary));
   const int reason = errno;
   fs::remove(temporary, error);
   if (!opened)
   {
-    RefuseOutput(
+    refuseOutput(
       path, std::string(std::strerror(reason)) + ". Choose a folder that you may write in.");
   }
 }
 
-void WriteText(const std::string& path, const std::string& text)
+void writeText(const std::string& path, const std::string& text)
 {
-  WriteWhole(path, text.data(), text.size());
+  writeWhole(path, text.data(), text.size());
 }
 
-void WritePNG(const std::string& path, vtkImageData* image)
+void writePNG(const std::string& path, vtkImageData* image)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->WriteToMemoryOn();
   writer->Write();
-  ThrowIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
+  throwIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  WriteWhole(path, reinterpret_cast<const char*>(bytes->GetPointer(0)),
+  writeWhole(path, reinterpret_cast<const char*>(bytes->GetPointer(0)),
     static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 

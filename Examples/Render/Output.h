@@ -4,8 +4,8 @@
 // that file's owner and permissions are kept. What is there and is no regular file, such as a
 // device, a FIFO or /dev/stdout, is written to as it is. All throw Failure(OutputUnwritable).
 
-#ifndef Output_h
-#define Output_h
+#ifndef ExaBricksRenderOutput_h
+#define ExaBricksRenderOutput_h
 
 #include <string>
 
@@ -15,10 +15,10 @@ namespace render
 {
 
 // Before the long work: could a file be written there? Opens nothing that is no regular file.
-void CheckWritable(const std::string& path);
+void checkWritable(const std::string& path);
 
-void WriteText(const std::string& path, const std::string& text);
-void WritePNG(const std::string& path, vtkImageData* image);
+void writeText(const std::string& path, const std::string& text);
+void writePNG(const std::string& path, vtkImageData* image);
 
 }
 

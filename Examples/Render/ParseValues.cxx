@@ -25,7 +25,7 @@ namespace
   throw Failure(ExitCode::BadArguments, option + " takes " + expected + ", not '" + found + "'.");
 }
 
-std::vector<std::string> Split(const std::string& text, char separator)
+std::vector<std::string> splitText(const std::string& text, char separator)
 {
   std::vector<std::string> parts(1);
   for (char c : text)
@@ -42,16 +42,16 @@ std::vector<std::string> Split(const std::string& text, char separator)
   return parts;
 }
 
-bool ParseThreeNumbers(const std::string& text, Vector3& v)
+bool parseThreeNumbers(const std::string& text, Vector3& v)
 {
-  const auto parts = Split(text, ',');
-  return parts.size() == 3 && ParseNumber(parts[0], v[0]) && ParseNumber(parts[1], v[1]) &&
-    ParseNumber(parts[2], v[2]);
+  const auto parts = splitText(text, ',');
+  return parts.size() == 3 && parseNumber(parts[0], v[0]) && parseNumber(parts[1], v[1]) &&
+    parseNumber(parts[2], v[2]);
 }
 
 }
 
-bool ParseNumber(const std::string& text, double& value)
+bool parseNumber(const std::string& text, double& value)
 {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
@@ -59,15 +59,15 @@ bool ParseNumber(const std::string& text, double& value)
   return (stream >> value) && std::isfinite(value) && !(stream >> rest);
 }
 
-std::array<int, 2> ParseSize(const std::string& option, const std::string& text)
+std::array<int, 2> parseSize(const std::string& option, const std::string& text)
 {
-  const auto parts = Split(text, 'x');
+  const auto parts = splitText(text, 'x');
   std::array<int, 2> size{ { 0, 0 } };
   bool good = parts.size() == 2;
   for (int i = 0; good && i < 2; ++i)
   {
     double number;
-    good = ParseNumber(parts[i], number) && number >= 1 && number <= 16384 &&
+    good = parseNumber(parts[i], number) && number >= 1 && number <= 16384 &&
       number == std::floor(number);
     size[i] = good ? static_cast<int>(number) : 0;
   }
@@ -78,20 +78,20 @@ std::array<int, 2> ParseSize(const std::string& option, const std::string& text)
   return size;
 }
 
-Vector3 ParseVector(const std::string& option, const std::string& text)
+Vector3 parseVector(const std::string& option, const std::string& text)
 {
   Vector3 v;
-  if (!ParseThreeNumbers(text, v))
+  if (!parseThreeNumbers(text, v))
   {
     Refuse(option, "three numbers X,Y,Z, such as 0.5,-1,2", text);
   }
   return v;
 }
 
-Vector3 ParseColor(const std::string& option, const std::string& text)
+Vector3 parseColor(const std::string& option, const std::string& text)
 {
   Vector3 rgb;
-  if (ParseThreeNumbers(text, rgb))
+  if (parseThreeNumbers(text, rgb))
   {
     if (*std::min_element(rgb.begin(), rgb.end()) < 0.0 ||
       *std::max_element(rgb.begin(), rgb.end()) > 1.0)
@@ -109,30 +109,30 @@ Vector3 ParseColor(const std::string& option, const std::string& text)
   return { { color.GetRed(), color.GetGreen(), color.GetBlue() } };
 }
 
-std::optional<int> ParseComponent(const std::string& option, const std::string& text)
+std::optional<int> parseComponent(const std::string& option, const std::string& text)
 {
   if (text == "magnitude")
   {
     return std::nullopt;
   }
   double number;
-  if (!ParseNumber(text, number) || number < 0 || number > 1000 || number != std::floor(number))
+  if (!parseNumber(text, number) || number < 0 || number > 1000 || number != std::floor(number))
   {
     Refuse(option, "'magnitude' or a number that counts from 0", text);
   }
   return static_cast<int>(number);
 }
 
-std::vector<OpacityPoint> ParseOpacity(const std::string& option, const std::string& text)
+std::vector<OpacityPoint> parseOpacity(const std::string& option, const std::string& text)
 {
   const std::string expected = "points value:opacity, separated by commas, such as 0:0,4:0.1,8:0.5";
   std::vector<OpacityPoint> points;
-  for (const std::string& part : Split(text, ','))
+  for (const std::string& part : splitText(text, ','))
   {
-    const auto pair = Split(part, ':');
+    const auto pair = splitText(part, ':');
     OpacityPoint point;
-    if (pair.size() != 2 || !ParseNumber(pair[0], point.Value) ||
-      !ParseNumber(pair[1], point.Opacity))
+    if (pair.size() != 2 || !parseNumber(pair[0], point.Value) ||
+      !parseNumber(pair[1], point.Opacity))
     {
       Refuse(option, expected, part);
     }

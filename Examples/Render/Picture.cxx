@@ -32,7 +32,7 @@ namespace render
 namespace
 {
 
-double Seconds(std::chrono::steady_clock::time_point since)
+double inSeconds(std::chrono::steady_clock::time_point since)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
@@ -120,8 +120,8 @@ void Picture::Prepare()
   progress.Follow(this->VolumeMapper->GetBuilder());
   const auto start = std::chrono::steady_clock::now();
   this->VolumeMapper->Update();
-  this->PrepareTime = Seconds(start);
-  ThrowIfErrors(ExitCode::RenderingFailed, "The data could not be made ready for drawing");
+  this->PrepareTime = inSeconds(start);
+  throwIfErrors(ExitCode::RenderingFailed, "The data could not be made ready for drawing");
   vtkExaBricksData* data = this->Data();
   if (!data || data->GetNumberOfLeafCells() <= data->GetNumberOfAbsentCells())
   {
@@ -134,7 +134,7 @@ void Picture::Prepare()
   double bounds[6];
   data->GetBounds(bounds);
   this->OpacityUnit =
-    this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit : DefaultOpacityUnit(bounds);
+    this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit : defaultOpacityUnit(bounds);
   this->ChooseOpacity();
   if (this->Asked.Range)
   {
@@ -145,7 +145,7 @@ void Picture::Prepare()
     }
   }
   this->ApplyProperty();
-  PlaceCamera(this->Asked, bounds, this->Ren->GetActiveCamera());
+  placeCamera(this->Asked, bounds, this->Ren->GetActiveCamera());
   this->Ren->ResetCameraClippingRange(bounds);
 }
 
@@ -159,7 +159,7 @@ void Picture::ChooseOpacity()
     vtkNew<vtkIdTypeArray> histogram;
     this->Data()->GetHistogram(HistogramBins, histogram);
     const vtkIdType* first = histogram->GetPointer(0);
-    this->Opacity = OpacityFromHistogram(
+    this->Opacity = opacityFromHistogram(
       { first, first + histogram->GetNumberOfValues() }, range, !this->Asked.Log);
   }
   else if (this->Asked.Log)
@@ -182,7 +182,7 @@ void Picture::ApplyProperty()
     range[1] += half;
   }
   vtkNew<vtkColorTransferFunction> colors;
-  FillColorMap(this->Asked.ColorMap, range, colors);
+  fillColorMap(this->Asked.ColorMap, range, colors);
   vtkNew<vtkPiecewiseFunction> opacity;
   for (const OpacityPoint& point : this->Opacity)
   {
@@ -201,8 +201,8 @@ double Picture::DrawFrame()
   const auto start = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  const double seconds = Seconds(start);
-  ThrowIfErrors(ExitCode::RenderingFailed, "The picture could not be drawn");
+  const double seconds = inSeconds(start);
+  throwIfErrors(ExitCode::RenderingFailed, "The picture could not be drawn");
   return seconds;
 }
 
@@ -233,7 +233,7 @@ vtkSmartPointer<vtkImageData> Picture::Pixels() const
   grab->ReadFrontBufferOff();
   grab->ShouldRerenderOff();
   grab->Update();
-  ThrowIfErrors(ExitCode::RenderingFailed, "The picture could not be read from the window");
+  throwIfErrors(ExitCode::RenderingFailed, "The picture could not be read from the window");
   return grab->GetOutput();
 }
 

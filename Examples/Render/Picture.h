@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One volume in a window off screen: sets it up from the options and the data, draws and times it.
 
-#ifndef Picture_h
-#define Picture_h
+#ifndef ExaBricksRenderPicture_h
+#define ExaBricksRenderPicture_h
 
 #include "Options.h"
 

@@ -29,7 +29,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 // What is drawn, such as log10(velocity, component 2).
-std::string ArrayText(const Run& run)
+std::string arrayText(const Run& run)
 {
   std::string text = run.Array.Name;
   if (run.Array.Components > 1)
@@ -40,7 +40,7 @@ std::string ArrayText(const Run& run)
   return run.Asked.Log ? "log10(" + text + ")" : text;
 }
 
-std::vector<std::string> OtherArrays(const Run& run)
+std::vector<std::string> otherArrays(const Run& run)
 {
   std::vector<std::string> names;
   for (const ArrayInfo& array : run.File.Arrays())
@@ -53,30 +53,30 @@ std::vector<std::string> OtherArrays(const Run& run)
   return names;
 }
 
-std::string Mebibytes(double bytes)
+std::string inMebibytes(double bytes)
 {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << bytes / 1048576.0 << " MiB";
   return text.str();
 }
 
-std::string Milliseconds(double seconds)
+std::string inMilliseconds(double seconds)
 {
   std::ostringstream text;
   text << std::fixed << std::setprecision(seconds < 0.1 ? 2 : 0) << 1000.0 * seconds << " ms";
   return text.str();
 }
 
-double HostBytes(vtkExaBricksData* data) { return 1024.0 * data->GetActualMemorySize(); }
+double hostBytes(vtkExaBricksData* data) { return 1024.0 * data->GetActualMemorySize(); }
 
 // A line of the report: its name, then the text.
-std::ostream& Line(std::ostream& out, const char* name)
+std::ostream& startLine(std::ostream& out, const char* name)
 {
   return out << std::left << std::setw(10) << name;
 }
 
 // The largest difference from the background in the picture, of 255.
-int LargestContrast(const Run& run)
+int largestContrast(const Run& run)
 {
   auto image = run.Result.Pixels();
   const auto* value = static_cast<const unsigned char*>(image->GetScalarPointer());
@@ -90,7 +90,7 @@ int LargestContrast(const Run& run)
   return largest;
 }
 
-void PrintNotes(std::ostream& out, const Run& run)
+void printNotes(std::ostream& out, const Run& run)
 {
   vtkExaBricksData* data = run.Result.Data();
   double range[2];
@@ -98,26 +98,27 @@ void PrintNotes(std::ostream& out, const Run& run)
   const vtkIdType absent = data->GetNumberOfAbsentCells();
   if (absent > 0)
   {
-    Line(out, "Absent") << absent << " leaf cells, which hold "
-                        << (run.Asked.Log ? "no number above zero" : "no number") << '\n';
+    startLine(out, "Absent") << absent << " leaf cells, which hold "
+                             << (run.Asked.Log ? "no number above zero" : "no number") << '\n';
   }
   if (!run.Asked.Log && range[0] > 0.0 && range[1] > 1000.0 * range[0])
   {
-    Line(out, "Hint") << "the values span " << std::lround(std::log10(range[1] / range[0]))
-                      << " decades: --log may show more\n";
+    startLine(out, "Hint") << "the values span " << std::lround(std::log10(range[1] / range[0]))
+                           << " decades: --log may show more\n";
   }
   if (run.Result.Mapper()->GetNumberOfActiveRegions() == 0)
   {
-    Line(out, "Hint") << "nothing is visible: no value in the data has an opacity above zero\n";
+    startLine(out, "Hint")
+      << "nothing is visible: no value in the data has an opacity above zero\n";
   }
-  else if (LargestContrast(run) < 96)
+  else if (largestContrast(run) < 96)
   {
-    Line(out, "Hint") << "little is visible: try --opacity, a smaller --opacity-unit, another "
-                         "--color-map or --background\n";
+    startLine(out, "Hint") << "little is visible: try --opacity, a smaller --opacity-unit, another "
+                              "--color-map or --background\n";
   }
 }
 
-Json CameraJson(const Run& run)
+Json cameraJson(const Run& run)
 {
   vtkCamera* camera = run.Result.Renderer()->GetActiveCamera();
   auto vector = [](const double* v) { return Json{ v[0], v[1], v[2] }; };
@@ -127,7 +128,7 @@ Json CameraJson(const Run& run)
     { "parallel_scale", camera->GetParallelScale() } };
 }
 
-Json DataJson(vtkExaBricksData* data)
+Json dataJson(vtkExaBricksData* data)
 {
   double range[2], bounds[6], spacing[3];
   data->GetScalarRange(range);
@@ -140,7 +141,7 @@ Json DataJson(vtkExaBricksData* data)
     { "finest_spacing", spacing } };
 }
 
-Json LookJson(const Run& run)
+Json lookJson(const Run& run)
 {
   Json opacity = Json::array();
   for (const OpacityPoint& point : run.Result.Opacity)
@@ -152,7 +153,7 @@ Json LookJson(const Run& run)
     { "opacity_unit", run.Result.OpacityUnit }, { "background", run.Asked.Background } };
 }
 
-Json TimesJson(const Run& run)
+Json timesJson(const Run& run)
 {
   vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
   vtkExaBricksData* data = run.Result.Data();
@@ -168,7 +169,7 @@ Json TimesJson(const Run& run)
 
 }
 
-void PrintArrays(std::ostream& out, const AMRFile& file)
+void printArrays(std::ostream& out, const AMRFile& file)
 {
   for (const ArrayInfo& array : file.Arrays())
   {
@@ -181,56 +182,59 @@ void PrintArrays(std::ostream& out, const AMRFile& file)
   }
 }
 
-void PrintReport(std::ostream& out, const Run& run)
+void printReport(std::ostream& out, const Run& run)
 {
   vtkExaBricksData* data = run.Result.Data();
   vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
   double range[2];
   data->GetScalarRange(range);
 
-  Line(out, "Input") << run.Asked.Input << ", " << data->GetNumberOfLevels() << " levels, "
-                     << data->GetNumberOfBlocks() << " blocks, " << data->GetNumberOfLeafCells()
-                     << " leaf cells\n";
-  Line(out, "Array") << ArrayText(run) << ", " << range[0] << " to " << range[1];
+  startLine(out, "Input") << run.Asked.Input << ", " << data->GetNumberOfLevels() << " levels, "
+                          << data->GetNumberOfBlocks() << " blocks, "
+                          << data->GetNumberOfLeafCells() << " leaf cells\n";
+  startLine(out, "Array") << arrayText(run) << ", " << range[0] << " to " << range[1];
   std::string others;
-  for (const std::string& name : OtherArrays(run))
+  for (const std::string& name : otherArrays(run))
   {
     others += (others.empty() ? "" : ", ") + name;
   }
   out << (run.Asked.Array.empty() && !others.empty() ? "; others: " + others : "") << '\n';
-  Line(out, "Bricks") << data->GetNumberOfBricks() << " in " << data->GetNumberOfRegions()
-                      << " regions, " << mapper->GetNumberOfActiveRegions() << " of them active\n";
+  startLine(out, "Bricks") << data->GetNumberOfBricks() << " in " << data->GetNumberOfRegions()
+                           << " regions, " << mapper->GetNumberOfActiveRegions()
+                           << " of them active\n";
   if (mapper->GetLevelsLeftOut() > 0)
   {
-    Line(out, "Left out") << "finest levels, as the error tolerance allows: "
-                          << mapper->GetLevelsLeftOut() << '\n';
+    startLine(out, "Left out") << "finest levels, as the error tolerance allows: "
+                               << mapper->GetLevelsLeftOut() << '\n';
   }
   const char* device = mapper->GetDeviceName();
   const char* traversal = mapper->GetTraversalUsed();
-  Line(out, "Device") << (device ? device : "unknown") << ", "
-                      << (traversal ? traversal : "unknown") << '\n';
-  Line(out, "Set-up") << "read " << Milliseconds(run.ReadTime) << ", structure "
-                      << Milliseconds(data->GetStructureTime()) << ", scalars "
-                      << Milliseconds(data->GetScalarsTime()) << ", upload "
-                      << Milliseconds(mapper->GetUploadTime()) << '\n';
-  Line(out, "Changes") << "of colours " << Milliseconds(mapper->GetColorTime()) << ", of opacity "
-                       << Milliseconds(mapper->GetOpacityTime()) << ", of the camera "
-                       << Milliseconds(mapper->GetMarchTime()) << " (marching)\n";
-  Line(out, "Frame") << "first " << Milliseconds(run.Result.FirstFrameTime);
+  startLine(out, "Device") << (device ? device : "unknown") << ", "
+                           << (traversal ? traversal : "unknown") << '\n';
+  startLine(out, "Set-up") << "read " << inMilliseconds(run.ReadTime) << ", structure "
+                           << inMilliseconds(data->GetStructureTime()) << ", scalars "
+                           << inMilliseconds(data->GetScalarsTime()) << ", upload "
+                           << inMilliseconds(mapper->GetUploadTime()) << '\n';
+  startLine(out, "Changes") << "of colours " << inMilliseconds(mapper->GetColorTime())
+                            << ", of opacity " << inMilliseconds(mapper->GetOpacityTime())
+                            << ", of the camera " << inMilliseconds(mapper->GetMarchTime())
+                            << " (marching)\n";
+  startLine(out, "Frame") << "first " << inMilliseconds(run.Result.FirstFrameTime);
   if (!run.Result.FrameTimes.empty())
   {
     out << ", median of " << run.Result.FrameTimes.size() << " more "
-        << Milliseconds(run.Result.MedianFrameTime());
+        << inMilliseconds(run.Result.MedianFrameTime());
   }
   out << '\n';
-  Line(out, "Memory") << Mebibytes(HostBytes(data)) << " host, "
-                      << Mebibytes(static_cast<double>(mapper->GetDeviceMemory())) << " device\n";
-  PrintNotes(out, run);
-  Line(out, "Picture") << run.Asked.Output << ", " << run.Asked.Size[0] << " x "
-                       << run.Asked.Size[1] << '\n';
+  startLine(out, "Memory") << inMebibytes(hostBytes(data)) << " host, "
+                           << inMebibytes(static_cast<double>(mapper->GetDeviceMemory()))
+                           << " device\n";
+  printNotes(out, run);
+  startLine(out, "Picture") << run.Asked.Output << ", " << run.Asked.Size[0] << " x "
+                            << run.Asked.Size[1] << '\n';
 }
 
-std::string Statistics(const Run& run)
+std::string statisticsJson(const Run& run)
 {
   vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
   const char* device = mapper->GetDeviceName();
@@ -241,22 +245,22 @@ std::string Statistics(const Run& run)
     { "vtk", vtkVersion::GetVTKVersion() } };
   json["input"] = { { "file", run.Asked.Input }, { "reader", run.File.ReaderName() },
     { "array", run.Array.Name }, { "components", run.Array.Components }, { "component", nullptr },
-    { "log10", run.Asked.Log }, { "other_arrays", OtherArrays(run) } };
+    { "log10", run.Asked.Log }, { "other_arrays", otherArrays(run) } };
   if (run.Array.Components > 1)
   {
     json["input"]["component"] =
       run.Asked.Component ? Json(*run.Asked.Component) : Json("magnitude");
   }
-  json["data"] = DataJson(run.Result.Data());
+  json["data"] = dataJson(run.Result.Data());
   json["picture"] = { { "file", run.Asked.Output }, { "size", run.Asked.Size },
-    { "camera", CameraJson(run) }, { "look", LookJson(run) } };
+    { "camera", cameraJson(run) }, { "look", lookJson(run) } };
   json["method"] = { { "device", device ? device : "" },
     { "traversal", traversal ? traversal : "" }, { "reconstruction", run.Asked.Reconstruction },
     { "step_scale", mapper->GetStepScale() }, { "error_tolerance", mapper->GetErrorTolerance() },
     { "active_regions", mapper->GetNumberOfActiveRegions() },
     { "levels_left_out", mapper->GetLevelsLeftOut() } };
-  json["seconds"] = TimesJson(run);
-  json["bytes"] = { { "host", HostBytes(run.Result.Data()) },
+  json["seconds"] = timesJson(run);
+  json["bytes"] = { { "host", hostBytes(run.Result.Data()) },
     { "device", mapper->GetDeviceMemory() } };
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

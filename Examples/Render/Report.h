@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the run did, for people and for programs.
 
-#ifndef Report_h
-#define Report_h
+#ifndef ExaBricksRenderReport_h
+#define ExaBricksRenderReport_h
 
 #include "OpenAMR.h"
 #include "Options.h"
@@ -23,11 +23,11 @@ struct Run
   double ReadTime = 0.0; // seconds
 };
 
-void PrintArrays(std::ostream& out, const AMRFile& file);
-void PrintReport(std::ostream& out, const Run& run);
+void printArrays(std::ostream& out, const AMRFile& file);
+void printReport(std::ostream& out, const Run& run);
 
 // JSON; times in seconds, memory in bytes, lengths in the data's.
-std::string Statistics(const Run& run);
+std::string statisticsJson(const Run& run);
 
 }
 

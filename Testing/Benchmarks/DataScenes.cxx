@@ -171,12 +171,12 @@ Model makeDataModel(const std::string& name, const InputScene& from)
   auto vtk = std::make_shared<VTKScene>();
   vtk->amr = file.Read(chosen->Name, asked.Levels, true);
   vtk->array =
-    asked.Log ? render::AddLogarithm(vtk->amr, chosen->Name, asked.Component) : chosen->Name;
+    asked.Log ? render::addLogarithm(vtk->amr, chosen->Name, asked.Component) : chosen->Name;
   const int components = asked.Log ? 1 : chosen->Components;
   vtk->component = components > 1 ? asked.Component.value_or(-1) : -1;
 
   // What exabricks-render chooses.
-  auto window = render::MakeWindow();
+  auto window = render::makeWindow();
   render::Picture picture(asked, window, vtk->amr, vtk->array, components);
   picture.Prepare();
   auto* volume = vtkVolume::SafeDownCast(picture.Renderer()->GetVolumes()->GetItemAsObject(0));

@@ -127,7 +127,7 @@ void checkBounds(const std::vector<std::string>& broken)
 void measure(const Request& request)
 {
   const std::vector<SceneKind> scenes = chooseScenes(request);
-  render::MakeWindow(); // says what is missing before hours of work
+  render::makeWindow(); // says what is missing before hours of work
   makeFolder(request.folder);
   if (!request.plan.pictures.empty())
   {
@@ -156,7 +156,7 @@ void measure(const Request& request)
     const auto faults = findBrokenStructure(scene);
     broken.insert(broken.end(), faults.begin(), faults.end());
     measureScene(scene, kind.group, planFor(kind, request), results);
-    render::ThrowIfErrors(ExitCode::RenderingFailed, "VTK reported errors");
+    render::throwIfErrors(ExitCode::RenderingFailed, "VTK reported errors");
     write(); // what is done is kept, whatever comes
   }
   if (request.growth)
@@ -221,9 +221,9 @@ int main(int argc, char** argv)
     Request request;
     if (parseRequest(argc, argv, request))
     {
-      render::TakeMessages(true);
+      render::takeMessages(true);
       run(request);
-      render::ThrowIfErrors(ExitCode::RenderingFailed, "VTK met an error while it cleaned up");
+      render::throwIfErrors(ExitCode::RenderingFailed, "VTK met an error while it cleaned up");
     }
     return static_cast<int>(ExitCode::Fine);
   }

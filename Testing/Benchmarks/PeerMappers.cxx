@@ -31,7 +31,7 @@ namespace
 vtkSmartPointer<vtkMultiBlockDataSet> makeBlocks(const PeerData& data, bool blanked)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  render::ForEachBlock(data.amr,
+  render::forEachBlock(data.amr,
     [&](vtkDataSet* from)
     {
       vtkSmartPointer<vtkImageData> block;

@@ -198,7 +198,7 @@ bool parseRequest(int argc, char** argv, Request& request)
   request.growth = request.growth || texts.full;
   const auto size =
     [&](const char* option, const std::string& text, const Size& full, const Size& quick)
-  { return text.empty() ? (texts.quick ? quick : full) : render::ParseSize(option, text); };
+  { return text.empty() ? (texts.quick ? quick : full) : render::parseSize(option, text); };
   plan.size = size("--size", texts.size, { 512, 512 }, { 256, 256 });
   const int compared = texts.full ? 128 : 256;
   plan.accuracySize =
@@ -209,10 +209,10 @@ bool parseRequest(int argc, char** argv, Request& request)
   draw.Quiet = true;
   draw.Size = plan.size;
   draw.Component =
-    texts.component.empty() ? std::nullopt : render::ParseComponent("--component", texts.component);
+    texts.component.empty() ? std::nullopt : render::parseComponent("--component", texts.component);
   if (!texts.opacity.empty())
   {
-    draw.Opacity = render::ParseOpacity("--opacity", texts.opacity);
+    draw.Opacity = render::parseOpacity("--opacity", texts.opacity);
   }
 
   const std::vector<MethodKind> all = listMethods();

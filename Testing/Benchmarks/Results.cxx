@@ -115,7 +115,7 @@ void write(const CsvTable& table, const std::string& folder, const char* name)
   const std::string path = (std::filesystem::path(folder) / name).string();
   if (table.size() > 0)
   {
-    render::WriteText(path, table.text());
+    render::writeText(path, table.text());
   }
   else
   {

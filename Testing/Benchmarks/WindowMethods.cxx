@@ -33,7 +33,7 @@ class WindowMethod : public Method
 public:
   explicit WindowMethod(const Scene& scene)
     : Subject(scene)
-    , Window(render::MakeWindow())
+    , Window(render::makeWindow())
   {
     vtkVolumeProperty* from = scene.vtk().property;
     vtkNew<vtkVolumeProperty> property;
