@@ -81,7 +81,7 @@ int main(int argc, char** argv)
   renderer->AddVolume(volume);
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkCallbackCommand> onError;
-  onError->SetCallback(EndWithoutDisplay);
+  onError->SetCallback(endWithoutDisplay);
   window->AddObserver(vtkCommand::ErrorEvent, onError);
   window->SetSize(800, 600);
   window->AddRenderer(renderer);
