@@ -77,8 +77,9 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   void UpdateRenderer(
     vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
-  void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed);
   void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::Range& range);
+  exabricks::Reconstruction FindReconstruction(vtkVolumeProperty* property) const;
   std::optional<std::string> Composite(
     vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
 
@@ -127,8 +128,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
 {
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
   const std::string refused = this->Report(exabricks::checkWithData(property,
-    { this->Self->StepScale, this->Self->ErrorTolerance, this->ReconstructionChosen,
-      this->VectorModeChosen },
+    { this->Self->StepScale, this->Self->ErrorTolerance, this->VectorModeChosen },
     bricked->components));
   try
   {
@@ -149,9 +149,10 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(this->Self->Traversal));
   this->Renderer.selectDevice(this->Self->Device ? this->Self->Device : "");
   const bool newData = bricked != this->Bricked;
-  if (newData || this->Completed != (this->Self->Reconstruction == COMPLETED))
+  const bool completed = this->FindReconstruction(property) == exabricks::Reconstruction::Completed;
+  if (newData || this->Completed != completed)
   {
-    this->UpdateVolume(bricked);
+    this->UpdateVolume(bricked, completed);
   }
   // Nodes are normalised to the range of the data, so new data want new tables too.
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
@@ -161,7 +162,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
 }
 
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
-  const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
+  const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed)
 {
   exabricks::Volume volume = bricked->volume;
   if (!this->Bricked || this->Bricked->volume.structure != volume.structure)
@@ -169,7 +170,6 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
     // The former one goes first, as completing the levels takes memory.
     this->Renderer.setVolume({});
   }
-  const bool completed = this->Self->Reconstruction == COMPLETED;
   if (completed)
   {
     volume.values = exabricks::complete(*volume.structure, *volume.values);
@@ -189,6 +189,16 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   this->PropertyTime = property->GetMTime();
 }
 
+// The one that was chosen, or that of the property's interpolation type.
+exabricks::Reconstruction vtkExaBricksVolumeMapper::vtkInternals::FindReconstruction(
+  vtkVolumeProperty* property) const
+{
+  return !this->ReconstructionChosen &&
+      property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? exabricks::Reconstruction::Nearest
+    : static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
+}
+
 // Renders the picture and puts it into the window.
 std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
@@ -196,12 +206,13 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   const auto makeView = [&](int width, int height)
   {
     exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
-    view.quality.reconstruction =
-      static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
+    view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
     view.quality.stepScale = this->Self->StepScale;
     view.quality.errorTolerance = this->Self->ErrorTolerance;
     view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
     view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
+    view.blending = exabricks::findBlending(this->Self);
+    view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
     return view;
   };
   const auto progress = [&](double done)

@@ -17,13 +17,13 @@
  * volume->SetMapper(mapper);
  * @endcode
  *
- * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar opacity
- * and its unit distance, a length in the data's own coordinates, before the volume's matrix. It
- * says so when it is asked for what it does not do yet: blend modes other than composite and
- * dependent components such as RGBA (an error, nothing is drawn); shading, gradient opacity, 2-D
- * transfer functions, several independent components and their weights, colours of categories,
- * cropping, clipping planes, and an interpolation type that Reconstruction does not follow (a
- * warning, drawn without).
+ * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar
+ * opacity and its unit distance, a length in the data's own coordinates, before the volume's
+ * matrix, and the interpolation type. Blend modes: composite, maximum, minimum and average
+ * intensity, additive. It says so when it is asked for what it does not do yet: iso-surfaces,
+ * slices and dependent components such as RGBA (an error, nothing is drawn); shading, gradient
+ * opacity, 2-D transfer functions, several independent components and their weights, colours of
+ * categories, cropping and clipping planes (a warning, drawn without).
  *
  * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
  * geometry shows in the right order with it; else the volume is drawn over it.
@@ -59,14 +59,15 @@ public:
 
   ///@{
   /**
-   * How values between cells are found. BASIS (default): the mean of the cells' values weighted
+   * How values between cells are found. BASIS: the mean of the cells' values weighted
    * with their tents, continuous also across levels. NEAREST: the value of the leaf cell that holds
    * the point. COMPLETED: trilinear interpolation in each level, whose lattice is completed by
    * values extrapolated from the other levels beside it, and between the levels the mean weighted
    * with the tents. Continuous, and exact for linear fields across levels, where the basis is off
    * by up to half a fine cell for a ratio of 2; costs as much time a picture as the basis, and
-   * memory for one layer of cells more around each brick. Where none was chosen, and the property's
-   * interpolation type is nearest, as it is by default, a warning says that BASIS is drawn.
+   * memory for one layer of cells more around each brick. Until one is chosen, the volume
+   * property's interpolation type counts, as for VTK's mappers: nearest, its default, or linear,
+   * which is BASIS.
    */
   enum ReconstructionType
   {

@@ -9,6 +9,7 @@ float transmittanceExponent;
 float integralUnit;
 float inverseIntegralUnit;
 float terminationOpacity;
+vec2 averageRange;
 
 void readConstants(FrameBuffer f)
 {
@@ -21,4 +22,5 @@ void readConstants(FrameBuffer f)
   integralUnit = f.frame.integralUnit;
   inverseIntegralUnit = 1.0 / integralUnit;
   terminationOpacity = f.frame.terminationOpacity;
+  averageRange = vec2(f.frame.leastToAverage, f.frame.mostToAverage);
 }

@@ -48,6 +48,13 @@ EXABRICKS_CONST uint RECONSTRUCTION_BASIS = 0u;
 EXABRICKS_CONST uint RECONSTRUCTION_NEAREST = 1u;
 EXABRICKS_CONST uint RECONSTRUCTION_COMPLETED = 2u;
 
+// How what lies along a ray becomes a colour: a specialization constant (Core/Blending.h).
+EXABRICKS_CONST uint BLENDING_COMPOSITE = 0u;
+EXABRICKS_CONST uint BLENDING_MAXIMUM = 1u;
+EXABRICKS_CONST uint BLENDING_MINIMUM = 2u;
+EXABRICKS_CONST uint BLENDING_AVERAGE = 3u;
+EXABRICKS_CONST uint BLENDING_ADDITIVE = 4u;
+
 // A box of cells of one level. 32 bytes.
 struct Brick
 {
@@ -95,11 +102,11 @@ struct KdNode
 EXABRICKS_CONST uint KD_LEAF = 3u;
 EXABRICKS_CONST uint KD_NO_REGION = (1u << 30) - 1u; // a leaf with nothing to draw
 
-// The transfer function as extinction, -ln(1 - opacity of the unit distance), times red, green,
-// blue, 1: piecewise linear on [0, 1], in TRANSFER_BINS bins of equal width. A bin that is not the
-// line between its ends (there are control points inside, or extinction bends) has lower.a = -1,
-// and knots: integral.x is the first one's index, which stands at its lower end, integral.y how
-// many there are up to that at its upper end.
+// The transfer function as an amount times red, green, blue, 1: extinction, -ln(1 - opacity of the
+// unit distance), or opacity, where blending is not by absorption. Piecewise linear on [0, 1], in
+// TRANSFER_BINS bins of equal width. A bin that is not the line between its ends (there are control
+// points inside, or amounts bend) has lower.a = -1, and knots: integral.x is the first one's index,
+// which stands at its lower end, integral.y how many there are up to that at its upper end.
 //
 // Beside them the integral over values, from 0 to the bin's lower end or to the knot, in units of
 // Frame.integralUnit: as integers, so that differences of close ones are exact. And of the part
@@ -146,6 +153,8 @@ struct Frame
   float terminationOpacity;    // a ray ends at this opacity
   float integralUnit;          // of the transfer function's integrals
   uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
+  float leastToAverage;        // normalised values that count for BLENDING_AVERAGE
+  float mostToAverage;
   uint unused;
   DeviceAddress bricks; // Brick[], uint[], KdNode[], ...
   DeviceAddress brickLists;
@@ -191,7 +200,7 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 304 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+static_assert(sizeof(Frame) == 312 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

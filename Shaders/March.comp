@@ -30,7 +30,7 @@
 // What it looks like.
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 
 // The march.
 #include "Cursor.glsl"

@@ -39,6 +39,10 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     // The middle that gives the halves together the mean of the parabola through all three (Simpson's
     // rule); but no value that lies beyond them, which the field may not take.
     const float last = cursor.value;
+    if (count == 2)
+    {
+      addSamples(last, middle, value, gathered);
+    }
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
     const float units = length / float(count) * ray.unitsPerHalfCell;

@@ -79,7 +79,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
       return;
     }
     marchOn(ray, cursor, gathered);
-    if (isOpaque(gathered))
+    if (isComplete(gathered))
     {
       return;
     }

@@ -96,7 +96,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
       while (cursor.intervals > 0)
       {
         marchOn(ray, cursor, gathered);
-        if (isOpaque(gathered))
+        if (isComplete(gathered))
         {
           return;
         }

@@ -6,6 +6,10 @@ layout(constant_id = 1) const bool beginsAtDepth = false;
 // Pixels are taken by a counter, in place of being dealt out with the groups: for drivers that deal
 // each thread one run of groups, as those of CPUs do, of which one may cost much more than another.
 layout(constant_id = 2) const bool takesPixels = false;
+// How what lies along the ray becomes a colour (Blend.glsl).
+layout(constant_id = 3) const uint blending = BLENDING_COMPOSITE;
 
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
+const bool isComposite = blending == BLENDING_COMPOSITE;
+const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;

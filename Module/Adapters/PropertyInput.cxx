@@ -85,10 +85,11 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     "average intensity", "additive", "iso-surface", "slice" };
   Requests requests;
   const int mode = mapper->GetBlendMode();
-  if (mode != vtkVolumeMapper::COMPOSITE_BLEND)
+  if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::ADDITIVE_BLEND)
   {
     const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
-    requests.refused = std::string("expected blend mode composite, found ") +
+    requests.refused = std::string("expected blend mode composite, maximum, minimum or average "
+                                   "intensity, or additive, found ") +
       (known ? blendModes[mode] : std::to_string(mode).c_str()) +
       ", which is not supported yet. Call SetBlendModeToComposite()";
     return requests;
@@ -134,19 +135,34 @@ Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settin
 {
   Requests requests;
   checkComponents(property, components, settings.vectorModeChosen, requests);
-  if (!settings.reconstructionChosen &&
-    property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
-  {
-    requests.drawnWithout.push_back(
-      "The property's interpolation type is nearest, its default, and does not count yet: the "
-      "volume is drawn continuous, by the reconstruction Basis. Call SetReconstructionToNearest(), "
-      "or SetInterpolationTypeToLinear() of the property.");
-  }
   if (requests.refused.empty())
   {
     checkValues(property, settings, requests);
   }
   return requests;
+}
+
+Blending findBlending(vtkVolumeMapper* mapper)
+{
+  switch (mapper->GetBlendMode())
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return Blending::Maximum;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return Blending::Minimum;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return Blending::Average;
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return Blending::Additive;
+    default:
+      return Blending::Composite;
+  }
+}
+
+glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range)
+{
+  const double* values = mapper->GetAverageIPScalarRange();
+  return { range.normalize(values[0]), range.normalize(values[1]) };
 }
 
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)

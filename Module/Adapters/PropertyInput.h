@@ -5,6 +5,7 @@
 #define ExaBricksAdaptersPropertyInput_h
 
 #include "Adapters/TransferFunctionInput.h"
+#include "Core/Blending.h"
 
 #include <string>
 #include <vector>
@@ -26,8 +27,7 @@ struct MapperSettings
 {
   double stepScale = 1.0;
   double errorTolerance = 0.0;
-  // Whether somebody chose them, or they are the defaults.
-  bool reconstructionChosen = false;
+  // Whether somebody chose it, or it is the default.
   bool vectorModeChosen = false;
 };
 
@@ -36,6 +36,11 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 
 /// Checks the rest, for an array of so many components.
 Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settings, int components);
+
+/// The mapper's blend mode, which checkWithoutData() has let pass, and the range of values that
+/// count for the average, over `range` of the array's values.
+Blending findBlending(vtkVolumeMapper* mapper);
+glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range);
 
 /// Colour and opacity of component 0, over `range` of the array's values.
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range);

@@ -28,6 +28,8 @@ std::vector<Point> clipToUnitInterval(const TransferFunction& transfer)
   return points;
 }
 
+using Amount = TransferTable::Amount;
+
 // By log1p, as 1 - opacity has few digits of a small opacity. At most the extinction of the
 // greatest opacity below 1.
 double extinctionOf(double opacity)
@@ -35,9 +37,14 @@ double extinctionOf(double opacity)
   return std::min(-std::log1p(-opacity), static_cast<double>(layout::DENSEST));
 }
 
-glm::dvec4 extinctionOf(const glm::dvec4& color)
+double amountOf(double opacity, Amount amount)
 {
-  return extinctionOf(color.a) * glm::dvec4(color.r, color.g, color.b, 1.0);
+  return amount == Amount::Extinction ? extinctionOf(opacity) : opacity;
+}
+
+glm::dvec4 amountOf(const glm::dvec4& color, Amount amount)
+{
+  return amountOf(color.a, amount) * glm::dvec4(color.r, color.g, color.b, 1.0);
 }
 
 // A part on which colour and opacity are linear.
@@ -45,6 +52,7 @@ struct Part
 {
   Point begin;
   Point end;
+  Amount amount;
 
   double width() const { return this->end.value - this->begin.value; }
   Point at(double value) const
@@ -52,25 +60,31 @@ struct Part
     const double fraction = this->width() > 0.0 ? (value - this->begin.value) / this->width() : 0.0;
     return { value, glm::mix(this->begin.color, this->end.color, glm::clamp(fraction, 0.0, 1.0)) };
   }
-  bool opaque() const { return this->begin.color.a >= 1.0 && this->end.color.a >= 1.0; }
+  // Which matters where extinction has no number for it.
+  bool opaque() const
+  {
+    return this->amount == Amount::Extinction && this->begin.color.a >= 1.0 &&
+      this->end.color.a >= 1.0;
+  }
+  glm::dvec4 amountAtBegin() const { return amountOf(this->begin.color, this->amount); }
+  glm::dvec4 amountAtEnd() const { return amountOf(this->end.color, this->amount); }
 
-  // Whether the part is so narrow that extinction is linear on it, for which the device takes it.
+  // Whether the part is so narrow that amounts are linear on it, for which the device takes them.
   bool isLinear() const
   {
     const glm::dvec4 mean = this->mean();
-    const glm::dvec4 off =
-      glm::abs(0.5 * (extinctionOf(this->begin.color) + extinctionOf(this->end.color)) - mean);
+    const glm::dvec4 off = glm::abs(0.5 * (this->amountAtBegin() + this->amountAtEnd()) - mean);
     return std::max({ off.r, off.g, off.b, off.a }) <= 1e-4 * mean.a;
   }
 
-  // The mean of the extinction, in the last component, and of the extinction times each colour.
+  // The mean of the amount, in the last component, and of the amount times each colour.
   glm::dvec4 mean() const
   {
     const double a0 = this->begin.color.a;
     const double a1 = this->end.color.a;
     double mean = 0.0;
-    double upward = 0.0; // mean of the extinction times the fraction of the way to the end
-    if (std::abs(a1 - a0) > 1e-3)
+    double upward = 0.0; // mean of the amount times the fraction of the way to the end
+    if (this->amount == Amount::Extinction && std::abs(a1 - a0) > 1e-3)
     {
       const double u0 = std::exp(-extinctionOf(a0)); // transmittance
       const double u1 = std::exp(-extinctionOf(a1));
@@ -86,9 +100,9 @@ struct Part
       {
         const double fraction = 0.5 + offset * std::sqrt(0.15);
         const double weight = offset == 0.0 ? 4.0 / 9.0 : 5.0 / 18.0;
-        const double extinction = extinctionOf(glm::mix(a0, a1, fraction));
-        mean += weight * extinction;
-        upward += weight * extinction * fraction;
+        const double amountThere = amountOf(glm::mix(a0, a1, fraction), this->amount);
+        mean += weight * amountThere;
+        upward += weight * amountThere * fraction;
       }
     }
     const glm::dvec4 colors =
@@ -113,17 +127,17 @@ struct Line
 class Pieces
 {
 public:
-  explicit Pieces(const std::vector<Point>& points)
+  Pieces(const std::vector<Point>& points, Amount amount)
   {
     int opaqueBefore = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
-      const Part part{ points[i], points[i + 1] };
+      const Part part{ points[i], points[i + 1], amount };
       const int isOpaque = part.opaque() && part.width() > 0.0 ? 1 : 0;
       this->All.push_back({ part, 2 * opaqueBefore + isOpaque });
       opaqueBefore += isOpaque;
     }
-    this->All.push_back({ { points.back(), points.back() }, 2 * opaqueBefore });
+    this->All.push_back({ { points.back(), points.back(), amount }, 2 * opaqueBefore });
     // The more pieces, the less each is halved, so that there are some 10^5 lines at most.
     this->Deepest = std::clamp(
       static_cast<int>(std::log2(65536.0 / static_cast<double>(points.size()))), 0, FullDepth);
@@ -138,8 +152,8 @@ public:
 
   Line line(std::size_t i, const Part& part) const
   {
-    return { { glm::vec4(extinctionOf(part.begin.color)), glm::vec4(extinctionOf(part.end.color)),
-               glm::ivec4(0), this->All[i].opaque, static_cast<float>(part.begin.value) },
+    return { { glm::vec4(part.amountAtBegin()), glm::vec4(part.amountAtEnd()), glm::ivec4(0),
+               this->All[i].opaque, static_cast<float>(part.begin.value) },
       part.width() };
   }
 
@@ -165,8 +179,8 @@ public:
       }
       return;
     }
-    this->addLines(i, { part.begin, middle }, depth + 1, lines);
-    this->addLines(i, { middle, part.end }, depth + 1, lines);
+    this->addLines(i, { part.begin, middle, part.amount }, depth + 1, lines);
+    this->addLines(i, { middle, part.end, part.amount }, depth + 1, lines);
   }
 
   // The lines from `lo` to `hi`. `first` is the last piece that does not begin above `lo`. A jump
@@ -180,7 +194,7 @@ public:
       const Point end = this->begin(i + 1) < hi ? this->part(i).end : this->part(i).at(hi);
       if (static_cast<float>(begin.value) < static_cast<float>(end.value))
       {
-        this->addLines(i, { begin, end }, 0, lines);
+        this->addLines(i, { begin, end, this->part(i).amount }, 0, lines);
       }
       begin = this->part(i + 1).begin;
     }
@@ -201,9 +215,9 @@ private:
 };
 }
 
-TransferTable::TransferTable(const TransferFunction& transfer)
+TransferTable::TransferTable(const TransferFunction& transfer, Amount amount)
 {
-  const Pieces pieces(clipToUnitInterval(transfer));
+  const Pieces pieces(clipToUnitInterval(transfer), amount);
   // Integrals of the lines themselves, so that no difference of them is off the lines.
   glm::dvec4 integral(0.0);
   std::vector<glm::dvec4> toBins;

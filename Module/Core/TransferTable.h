@@ -10,7 +10,14 @@ namespace exabricks
 {
 struct TransferTable
 {
-  explicit TransferTable(const TransferFunction& transfer);
+  /// What is kept of a colour and its opacity.
+  enum class Amount
+  {
+    Extinction, // -ln(1 - opacity), and that times the colour: what adds up along a ray
+    Opacity     // and that times the colour
+  };
+
+  explicit TransferTable(const TransferFunction& transfer, Amount amount = Amount::Extinction);
 
   std::vector<layout::TransferBin> bins;
   std::vector<layout::TransferKnot> knots;

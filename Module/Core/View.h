@@ -3,6 +3,8 @@
 #ifndef ExaBricksCoreView_h
 #define ExaBricksCoreView_h
 
+#include "Core/Blending.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <optional>
@@ -67,6 +69,8 @@ struct View
   Target target;
   Quality quality;
   double opacityUnitDistance = 1.0; // length in the data's coordinates
+  Blending blending = Blending::Composite;
+  glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
 };
 
 /// Whether both show the same in the same size, but for depths.
@@ -79,7 +83,8 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.errorTolerance == b.quality.errorTolerance &&
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity &&
-    a.opacityUnitDistance == b.opacityUnitDistance;
+    a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
+    a.averageRange == b.averageRange;
 }
 }
 

@@ -20,6 +20,7 @@ namespace
 struct Constants
 {
   std::uint32_t reconstruction;
+  std::uint32_t blending;
   vk::Bool32 beginsAtDepth;
   vk::Bool32 takesPixels;
 };
@@ -34,6 +35,23 @@ std::uint32_t numberOf(Reconstruction reconstruction)
       return layout::RECONSTRUCTION_COMPLETED;
     default:
       return layout::RECONSTRUCTION_BASIS;
+  }
+}
+
+std::uint32_t numberOf(Blending blending)
+{
+  switch (blending)
+  {
+    case Blending::Maximum:
+      return layout::BLENDING_MAXIMUM;
+    case Blending::Minimum:
+      return layout::BLENDING_MINIMUM;
+    case Blending::Average:
+      return layout::BLENDING_AVERAGE;
+    case Blending::Additive:
+      return layout::BLENDING_ADDITIVE;
+    default:
+      return layout::BLENDING_COMPOSITE;
   }
 }
 
@@ -101,13 +119,14 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
 {
   const vk::raii::ShaderModule shader(
     this->Owner->handle(), shaderFor(*this->Owner, variant.traversal, this->Shader));
-  const Constants values{ numberOf(variant.reconstruction), variant.beginsAtDepth,
-    this->takesPixels() };
-  const std::array<vk::SpecializationMapEntry, 3> entries{ vk::SpecializationMapEntry(0,
-                                                             offsetof(Constants, reconstruction),
-                                                             sizeof(values.reconstruction)),
-    vk::SpecializationMapEntry(1, offsetof(Constants, beginsAtDepth), sizeof(values.beginsAtDepth)),
-    vk::SpecializationMapEntry(2, offsetof(Constants, takesPixels), sizeof(values.takesPixels)) };
+  const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
+    variant.beginsAtDepth, this->takesPixels() };
+  const auto entry = [](std::uint32_t number, std::size_t offset)
+  { return vk::SpecializationMapEntry(number, static_cast<std::uint32_t>(offset), 4); };
+  const std::array<vk::SpecializationMapEntry, 4> entries{
+    entry(0, offsetof(Constants, reconstruction)), entry(1, offsetof(Constants, beginsAtDepth)),
+    entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, blending))
+  };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);

@@ -13,12 +13,6 @@ namespace exabricks
 {
 namespace vulkan
 {
-/// How what lies along a ray becomes a colour.
-enum class Blending
-{
-  Composite // absorption and emission, front to back
-};
-
 struct MarchVariant
 {
   Traversal traversal = Traversal::KdTree; // RayQuery or KdTree

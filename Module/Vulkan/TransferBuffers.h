@@ -15,9 +15,8 @@ class TransferBuffers
 public:
   TransferBuffers() = default;
   /// Throws Failure.
-  TransferBuffers(const std::shared_ptr<Device>& device, const TransferFunction& transfer)
+  TransferBuffers(const std::shared_ptr<Device>& device, const TransferTable& table)
   {
-    const TransferTable table(transfer);
     this->Bins = makeBuffer(device, table.bins, "the transfer function");
     this->Knots = makeBuffer(device, table.knots, "the transfer function");
     this->IntegralUnit = table.integralUnit;

@@ -18,6 +18,10 @@ struct VolumeRenderer::Internals
   // What the caller set.
   Traversal RequestedTraversal = Traversal::Automatic;
   TransferFunction Transfer;
+  // And with the last view: what is looked up and what shows depend on it.
+  Blending Blended = Blending::Composite;
+  glm::dvec2 AverageRange{ 0.0, 1.0 };
+  TransferFunction Visibility;
 
   // What is on the device. Rebuilt from the above when the device was lost.
   vulkan::DeviceSession Session;
@@ -34,7 +38,7 @@ struct VolumeRenderer::Internals
 
   vulkan::Selection MakeSelection() const
   {
-    return { &this->Transfer, this->Weights ? &*this->Weights : nullptr,
+    return { &this->Visibility, this->Weights ? &*this->Weights : nullptr,
       this->Measured.traversal == Traversal::RayQuery };
   }
 
@@ -102,7 +106,10 @@ struct VolumeRenderer::Internals
     if (!this->Colors)
     {
       const Stopwatch watch;
-      this->Colors.emplace(this->Session.device(), this->Transfer);
+      this->Colors.emplace(this->Session.device(),
+        TransferTable(findLookup(this->Transfer, this->Blended, this->AverageRange),
+          this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
+                                               : TransferTable::Amount::Opacity));
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -154,14 +161,14 @@ struct VolumeRenderer::Internals
     this->Measured.valueUploads = this->Levels.valueUploads();
   }
 
-  vulkan::MarchPass FindPass(Reconstruction reconstruction, bool beginsAtDepth)
+  vulkan::MarchPass FindPass(const View& view, bool beginsAtDepth)
   {
     vulkan::MarchVariant variant;
     variant.traversal = this->Measured.traversal;
-    variant.reconstruction = reconstruction;
+    variant.reconstruction = view.quality.reconstruction;
+    variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
-    const vulkan::MarchPass pass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
-    return pass;
+    return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
   layout::Frame MakeFrame(const vulkan::LevelsOfDetail::Level& level, const View& view) const
@@ -181,20 +188,19 @@ struct VolumeRenderer::Internals
     {
       this->Choice = std::make_unique<vulkan::SamplingChoice>(this->Session.device());
     }
-    const Sampling sampling =
-      this->Choice->find(view, this->FindPass(view.quality.reconstruction, false),
-        [&](const View& sparse, const Sampling& tried) -> std::optional<layout::Frame>
+    const Sampling sampling = this->Choice->find(view, this->FindPass(view, false),
+      [&](const View& sparse, const Sampling& tried) -> std::optional<layout::Frame>
+      {
+        const vulkan::LevelsOfDetail::Level* level = this->Levels.findCoarser(
+          tried.levelsLeftOut, this->Session.device(), this->MakeSelection());
+        if (!level || level->onDevice->activeBoxes() == 0)
         {
-          const vulkan::LevelsOfDetail::Level* level = this->Levels.findCoarser(
-            tried.levelsLeftOut, this->Session.device(), this->MakeSelection());
-          if (!level || level->onDevice->activeBoxes() == 0)
-          {
-            return std::nullopt;
-          }
-          View scaled = sparse;
-          scaled.quality.stepScale = tried.stepScale;
-          return this->MakeFrame(*level, scaled);
-        });
+          return std::nullopt;
+        }
+        View scaled = sparse;
+        scaled.quality.stepScale = tried.stepScale;
+        return this->MakeFrame(*level, scaled);
+      });
     this->Measured.samplingTime = this->Choice->seconds();
     return sampling;
   }
@@ -226,10 +232,38 @@ struct VolumeRenderer::Internals
     }
   }
 
+  // What is looked up and what shows, for the view's way of blending.
+  void UpdateBlending(const View& view)
+  {
+    const glm::dvec2 range =
+      view.blending == Blending::Average ? view.averageRange : this->AverageRange;
+    if (view.blending != this->Blended || range != this->AverageRange)
+    {
+      this->Blended = view.blending;
+      this->AverageRange = range;
+      this->Colors.reset();
+      this->ForgetChoice();
+      this->UpdateVisibility();
+    }
+  }
+
+  void UpdateVisibility()
+  {
+    TransferFunction visibility = findVisibility(this->Transfer, this->Blended, this->AverageRange);
+    if (this->Weights || !visibility.showsTheSame(this->Visibility))
+    {
+      this->InvalidateSelection();
+    }
+    this->Visibility = std::move(visibility);
+  }
+
   void Draw(View view, std::vector<glm::vec4>& picture, const Progress& progress)
   {
-    const bool weighted =
+    this->UpdateBlending(view);
+    const bool searched =
       view.quality.errorTolerance > 0.0 && view.quality.reconstruction != Reconstruction::Nearest;
+    // Weights are those of absorption: else all steps are equal.
+    const bool weighted = searched && view.blending == Blending::Composite;
     this->UpdateWeights(weighted);
     this->Update();
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
@@ -242,7 +276,7 @@ struct VolumeRenderer::Internals
       view.quality.terminationOpacity =
         StepWeights::terminationOpacity(view.quality.errorTolerance);
     }
-    const Sampling sampling = weighted ? this->Choose(view) : this->TakeRequested(view);
+    const Sampling sampling = searched ? this->Choose(view) : this->TakeRequested(view);
     view.quality.stepScale = sampling.stepScale;
     this->Measured.stepScale = sampling.stepScale;
     this->Measured.levelsLeftOut = sampling.levelsLeftOut;
@@ -273,7 +307,7 @@ struct VolumeRenderer::Internals
       this->Job = std::make_unique<vulkan::PictureJob>(this->Session.device());
     }
     this->Job->begin(this->MakeFrame(level, view), view.target,
-      this->FindPass(view.quality.reconstruction, view.target.nearDepth != nullptr));
+      this->FindPass(view, view.target.nearDepth != nullptr));
     while (this->Job->march())
     {
       if (progress && !progress(this->Job->progress()))
@@ -330,11 +364,9 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Session.forget();
   this->Data->Colors.reset();
-  if (this->Data->Weights || !transfer.showsTheSame(this->Data->Transfer))
-  {
-    this->Data->InvalidateSelection();
-  }
+  this->Data->ForgetChoice();
   this->Data->Transfer = transfer;
+  this->Data->UpdateVisibility();
   if (this->Data->Weights)
   {
     this->Data->Weights.emplace(TransferTable(transfer));

@@ -56,7 +56,7 @@ struct VariantRenderer::Internals
   {
     if (!this->Colors)
     {
-      this->Colors.emplace(this->Device, this->Transfer);
+      this->Colors.emplace(this->Device, TransferTable(this->Transfer));
     }
     const vulkan::LevelsOfDetail::Level* level =
       &this->Levels.updateFinest(this->Device, this->MakeSelection());

@@ -135,6 +135,17 @@ inline void setConstantColor(
   property->GetScalarOpacity()->AddPoint(0.0, opacity);
 }
 
+/// From blue and transparent to red and half opaque.
+inline void setRamp(vtkVolumeProperty* property, double least, double most)
+{
+  property->GetRGBTransferFunction()->RemoveAllPoints();
+  property->GetRGBTransferFunction()->AddRGBPoint(least, 0.1, 0.2, 1.0);
+  property->GetRGBTransferFunction()->AddRGBPoint(most, 1.0, 0.3, 0.1);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(least, 0.0);
+  property->GetScalarOpacity()->AddPoint(most, 0.5);
+}
+
 /// Opacity of a ray of `length` through a medium that has `opacity` on a length of `unit`.
 inline double opacityOf(double opacity, double length, double unit = 1.0)
 {

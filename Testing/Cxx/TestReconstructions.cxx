@@ -22,8 +22,14 @@ void checkTwoCells(test::Checks& checks)
   stage.Property()->GetRGBTransferFunction()->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
   test::lookAlongZ(stage.renderer, 1.0, 0.5, 0.5, 2.0);
   const test::Picture basis(stage.window);
+  // Until a reconstruction is chosen, the property's interpolation type says which one is meant.
+  stage.Property()->SetInterpolationTypeToNearest();
+  const test::Picture byProperty(stage.window);
+  stage.mapper->SetReconstructionToBasis();
+  checks.Equal(test::Picture(stage.window).Difference(basis), 0.0, "basis is chosen");
   stage.mapper->SetReconstructionToNearest();
   const test::Picture nearest(stage.window);
+  checks.Equal(byProperty.Difference(nearest), 0.0, "nearest by the property");
   for (int pixel = 2; pixel < Size; pixel += 5)
   {
     const double x = 2.0 * (pixel + 0.5) / Size;

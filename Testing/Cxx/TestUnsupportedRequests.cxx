@@ -24,10 +24,6 @@ int TestUnsupportedRequests(int, char*[])
   const double drawn = test::opacityOf(0.5, 8.0);
 
   const std::pair<int, const char*> modes[] = {
-    { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, "maximum intensity" },
-    { vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, "minimum intensity" },
-    { vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, "average intensity" },
-    { vtkVolumeMapper::ADDITIVE_BLEND, "additive" },
     { vtkVolumeMapper::ISOSURFACE_BLEND, "iso-surface" }, { vtkVolumeMapper::SLICE_BLEND, "slice" }
   };
   for (const auto& mode : modes)
@@ -109,20 +105,6 @@ int TestUnsupportedRequests(int, char*[])
   warnsOnce(
     "Colors of categories", [&] { property->GetRGBTransferFunction()->SetIndexedLookup(true); });
   property->GetRGBTransferFunction()->SetIndexedLookup(false);
-
-  // The interpolation type, unless the mapper's reconstruction was chosen, or it says the same.
-  property->SetInterpolationTypeToNearest();
-  checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "nearest");
-  test::Picture(stage.window);
-  checks.Equal(messages.Warnings().size(), 1, "warnings of the interpolation type");
-  checks.Says(messages.TakeWarnings(), { "interpolation type", "SetReconstructionToNearest" },
-    "warning of the interpolation type");
-  test::Stage chosen(test::makeAMR(test::cornerRefined(), test::constant(1.0)), 50);
-  test::setConstantColor(chosen.Property(), 0.5);
-  chosen.Property()->SetInterpolationTypeToNearest();
-  chosen.mapper->SetReconstructionToBasis();
-  test::Picture(chosen.window);
-  checks.Expect(messages.Warnings().empty(), "the reconstruction was chosen");
 
   // Several components: one of them, or their magnitude, and no weights.
   auto vectors = test::makeAMR(test::cornerRefined(), test::constant(1.0));

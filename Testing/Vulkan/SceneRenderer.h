@@ -65,6 +65,8 @@ struct SceneRenderer
     view.quality.levelsLeftOut = this->levelsLeftOut;
     view.quality.terminationOpacity = this->terminationOpacity;
     view.quality.reconstruction = this->reconstruction;
+    view.blending = this->blending;
+    view.averageRange = this->averageRange;
     return view;
   }
 
@@ -100,6 +102,8 @@ struct SceneRenderer
   std::optional<int> levelsLeftOut;
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
+  Blending blending = Blending::Composite;
+  glm::dvec2 averageRange{ 0.0, 1.0 };
 
 private:
   static Volume MakeVolume(const reference::Scene& scene)

@@ -79,7 +79,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 #include "Cursor.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"

@@ -32,7 +32,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 #define enterRegion enterUncounted
 #define marchOn marchUncounted
 #include "Cursor.glsl"

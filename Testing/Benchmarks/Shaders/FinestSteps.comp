@@ -19,7 +19,7 @@
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"
 #undef enterRegion

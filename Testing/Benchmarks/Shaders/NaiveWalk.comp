@@ -108,7 +108,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"
 #undef enterRegion

@@ -20,7 +20,7 @@
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
-#include "Composite.glsl"
+#include "Blend.glsl"
 #define enterRegion enterRegionForMeans
 #include "Cursor.glsl"
 #undef enterRegion

@@ -32,7 +32,7 @@ vec4 absorbBetween(
   return absorbLength(from, to, values, part, unitsPerSample);
 }
 
-#include "Composite.glsl"
+#include "Blend.glsl"
 #include "Cursor.glsl"
 #include "MarchCells.glsl"
 #define marchInterval marchLength

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How what lies along a ray becomes a colour.
+#ifndef ExaBricksCoreBlending_h
+#define ExaBricksCoreBlending_h
+
+#include "Core/TransferFunction.h"
+
+#include <glm/vec2.hpp>
+
+namespace exabricks
+{
+/// As vtkVolumeMapper's blend modes of these names. v is the normalised value, o(v) its opacity.
+enum class Blending
+{
+  Composite, // absorption and emission, front to back
+  Maximum,   // colour and opacity of the greatest value, at whatever length
+  Minimum,   // and of the least
+  Average,   // grey: the mean of o(v) v over the length on which v lies in a range; opaque
+  Additive   // grey: the integral of o(v) v over length in unit distances; opaque
+};
+
+/// The function that is looked up along a ray. `averageRange`: normalised values that count for
+/// Average.
+TransferFunction findLookup(
+  const TransferFunction& transfer, Blending blending, const glm::dvec2& averageRange);
+
+/// One that is visible where a value matters to the picture.
+TransferFunction findVisibility(
+  const TransferFunction& transfer, Blending blending, const glm::dvec2& averageRange);
+}
+
+#endif

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a ray has gathered, of which each way of blending uses a part; compilers drop the rest.
+struct Accumulator
+{
+  vec4 color;         // Composite: premultiplied; Sum: the first component is the integral
+  TransferPoint last; // of the value at which the ray is, where the field is continuous
+  float value;        // Extremum: the greatest or least so far
+  float counted;      // Sum: on which values count, in unit distances
+};

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/Projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace exabricks
+{
+namespace reference
+{
+namespace
+{
+glm::dvec3 project(const glm::dmat4& matrix, const glm::dvec3& ndc)
+{
+  const glm::dvec4 place = matrix * glm::dvec4(ndc, 1.0);
+  return glm::dvec3(place) / place.w;
+}
+
+// What the samples of one ray come to.
+struct Statistics
+{
+  double greatest = -1.0;
+  double least = 2.0;
+  double sum = 0.0;     // of opacity times value times length
+  double counted = 0.0; // length on which values count
+  double met = 0.0;     // length on which there are values
+};
+
+Statistics sampleRay(const Oracle& oracle, const glm::dvec3& from, const glm::dvec3& to,
+  double worldLength, const TransferFunction& transfer, const ProjectionSettings& settings)
+{
+  Statistics found;
+  const double length = glm::length(to - from);
+  const auto samples = static_cast<std::size_t>(std::ceil(length / settings.step));
+  for (std::size_t i = 0; i < samples; ++i)
+  {
+    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
+    const std::optional<double> value =
+      oracle.sample(glm::mix(from, to, at), settings.reconstruction);
+    if (!value)
+    {
+      continue;
+    }
+    const double piece = worldLength / static_cast<double>(samples) / settings.opacityUnitDistance;
+    found.greatest = std::max(found.greatest, *value);
+    found.least = std::min(found.least, *value);
+    found.met += piece;
+    if (settings.blending != Blending::Average ||
+      (*value >= settings.averageRange.x && *value <= settings.averageRange.y))
+    {
+      found.sum += transfer.evaluate(*value).a * *value * piece;
+      found.counted += piece;
+    }
+  }
+  return found;
+}
+
+glm::dvec4 toPixel(const Statistics& found, const TransferFunction& transfer, Blending blending)
+{
+  if (found.met == 0.0)
+  {
+    return glm::dvec4(0.0);
+  }
+  if (blending == Blending::Maximum || blending == Blending::Minimum)
+  {
+    const glm::dvec4 color =
+      transfer.evaluate(blending == Blending::Maximum ? found.greatest : found.least);
+    return color.a * glm::dvec4(color.r, color.g, color.b, 1.0);
+  }
+  if (blending == Blending::Average && found.counted == 0.0)
+  {
+    return glm::dvec4(0.0);
+  }
+  const double grey =
+    std::clamp(found.sum / (blending == Blending::Average ? found.counted : 1.0), 0.0, 1.0);
+  return { grey, grey, grey, 1.0 };
+}
+}
+
+Image project(const Oracle& oracle, const Box& bounds, const View& view,
+  const TransferFunction& transfer, const ProjectionSettings& settings)
+{
+  Image image{ view.width, view.height, {} };
+  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
+#pragma omp parallel for schedule(dynamic)
+  for (int y = 0; y < view.height; ++y)
+  {
+    for (int x = 0; x < view.width; ++x)
+    {
+      const glm::dvec3 ndc(
+        2.0 * (x + 0.5) / view.width - 1.0, 2.0 * (y + 0.5) / view.height - 1.0, -1.0);
+      const glm::dvec3 end(ndc.x, ndc.y, 1.0);
+      const glm::dvec3 near = project(view.ndcToLogical, ndc);
+      const glm::dvec3 far = project(view.ndcToLogical, end);
+      const glm::dvec3 a = (glm::dvec3(bounds.lo) - near) / (far - near);
+      const glm::dvec3 b = (glm::dvec3(bounds.hi) - near) / (far - near);
+      const glm::dvec3 enter = glm::min(a, b);
+      const glm::dvec3 leave = glm::max(a, b);
+      const double first = std::max({ 0.0, enter.x, enter.y, enter.z });
+      const double last = std::min({ 1.0, leave.x, leave.y, leave.z });
+      if (first < last)
+      {
+        const double worldLength = (last - first) *
+          glm::length(project(view.ndcToWorld, end) - project(view.ndcToWorld, ndc));
+        const Statistics found = sampleRay(oracle, glm::mix(near, far, first),
+          glm::mix(near, far, last), worldLength, transfer, settings);
+        image.pixels[static_cast<std::size_t>(y) * view.width + x] =
+          toPixel(found, transfer, settings.blending);
+      }
+    }
+  }
+  return image;
+}
+}
+}
