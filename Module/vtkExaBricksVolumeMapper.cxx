@@ -6,6 +6,7 @@
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/Compositor.h"
 #include "Adapters/DrawnRenderers.h"
+#include "Adapters/LightingInput.h"
 #include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
@@ -184,6 +185,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
 {
   this->Property = property;
   this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
+  this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, range));
   // Asked afterwards, as discretised functions make tables when they are evaluated, and are
   // modified by that.
   this->PropertyTime = property->GetMTime();
@@ -213,6 +215,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
     view.blending = exabricks::findBlending(this->Self);
     view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
+    view.lighting = exabricks::makeLighting(ren, vol, bricked);
     return view;
   };
   const auto progress = [&](double done)
@@ -435,6 +438,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     return; // a selector would take blended colours for ids
   }
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
+  internals.Report(exabricks::checkLights(ren, vol));
   if (!refused.empty())
   {
     internals.ReportFault(refused);

@@ -19,11 +19,12 @@
  *
  * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar
  * opacity and its unit distance, a length in the data's own coordinates, before the volume's
- * matrix, and the interpolation type. Blend modes: composite, maximum, minimum and average
- * intensity, additive. It says so when it is asked for what it does not do yet: iso-surfaces,
- * slices and dependent components such as RGBA (an error, nothing is drawn); shading, gradient
- * opacity, 2-D transfer functions, several independent components and their weights, colours of
- * categories, cropping and clipping planes (a warning, drawn without).
+ * matrix, the interpolation type, gradient opacity, and shading by all lights of the renderer, both
+ * with the composite blend mode. Blend modes: composite, maximum, minimum and average intensity,
+ * additive. It says so when it is asked for what it does not do yet: iso-surfaces, slices and
+ * dependent components such as RGBA (an error, nothing is drawn); 2-D transfer functions, several
+ * independent components and their weights, colours of categories, cropping and clipping planes (a
+ * warning, drawn without).
  *
  * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
  * geometry shows in the right order with it; else the volume is drawn over it.

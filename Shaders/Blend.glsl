@@ -33,7 +33,7 @@ float growthOfIntervals(Accumulator gathered)
 }
 
 // A length of the ray, in unit distances, at all of which the field has one value.
-void addConstant(float value, float units, inout Accumulator gathered)
+void addConstant(float value, float units, Spot spot, inout Accumulator gathered)
 {
   if (isExtremum)
   {
@@ -41,7 +41,7 @@ void addConstant(float value, float units, inout Accumulator gathered)
   }
   else if (isComposite)
   {
-    compositeConstant(value, units, gathered);
+    compositeConstant(value, units, spot, gathered);
   }
   else
   {
@@ -52,7 +52,7 @@ void addConstant(float value, float units, inout Accumulator gathered)
 // A length of the ray over which the field goes evenly from the one value to the other, from where
 // the last one ended. `isFirst`: there was none, and this is but the point where the next begins.
 void addInterval(
-  float from, float to, float units, bool isFirst, inout Accumulator gathered)
+  float from, float to, float units, bool isFirst, Spot spot, inout Accumulator gathered)
 {
   if (isExtremum)
   {
@@ -60,7 +60,7 @@ void addInterval(
   }
   else if (isComposite)
   {
-    compositeInterval(from, to, units, isFirst, gathered);
+    compositeInterval(from, to, units, isFirst, spot, gathered);
   }
   else
   {

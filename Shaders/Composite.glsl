@@ -1,22 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blending by absorption and emission, front to back. The table holds extinction.
 
-void compositeConstant(float value, float units, inout Accumulator gathered)
+// What comes next: premultiplied colour and opacity.
+void addBehind(vec4 color, Spot spot, inout Accumulator gathered)
+{
+  if (isShaded && color.a > 0.0)
+  {
+    color = shade(color, spot);
+  }
+  gathered.color += (1.0 - gathered.color.a) * color;
+}
+
+void compositeConstant(float value, float units, Spot spot, inout Accumulator gathered)
 {
   const TransferPart part = findPart(value);
-  gathered.color +=
-    (1.0 - gathered.color.a) * absorb(mix(part.lower, part.upper, part.fraction), units);
+  units *= hasGradientOpacity ? opacityOfGradient(spot) : 1.0;
+  addBehind(absorb(mix(part.lower, part.upper, part.fraction), units), spot, gathered);
 }
 
 void compositeInterval(
-  float from, float to, float units, bool isFirst, inout Accumulator gathered)
+  float from, float to, float units, bool isFirst, Spot spot, inout Accumulator gathered)
 {
   const TransferPart part = findPart(to);
   const TransferPoint point = makePoint(part);
   if (!isFirst)
   {
-    gathered.color += (1.0 - gathered.color.a) *
-      absorbBetween(gathered.last, point, vec2(from, to), part, units);
+    units *= hasGradientOpacity ? opacityOfGradient(spot) : 1.0;
+    addBehind(
+      absorbBetween(gathered.last, point, vec2(from, to), part, units), spot, gathered);
   }
   gathered.last = point;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frame's constants, read once: in the loops each use would be a load.
+FrameBuffer constants; // for what few variants read
 Bricks bricks;
 Indices brickLists;
 TransferBins transferBins;
@@ -13,6 +14,7 @@ vec2 averageRange;
 
 void readConstants(FrameBuffer f)
 {
+  constants = f;
   bricks = Bricks(f.frame.bricks);
   brickLists = Indices(f.frame.brickLists);
   transferBins = TransferBins(f.frame.transferBins);

@@ -16,6 +16,7 @@ struct Cursor
   bool halved;    // by a sample in its middle
   bool known;     // the field at `entry` is
   float value;    // it
+  vec3 gradient;  // its gradient by half cells, where that is needed
 };
 
 // In no region, and nothing is known.
@@ -26,6 +27,7 @@ Cursor startCursor()
   cursor.exit = -1.0;
   cursor.known = false;
   cursor.value = 0.0;
+  cursor.gradient = vec3(0.0);
   return cursor;
 }
 

@@ -131,6 +131,25 @@ struct TransferKnot
   float value;
 };
 
+// Core/Lighting.h has the words for these.
+struct Light
+{
+  vec3 direction;
+  vec3 diffuse;
+  vec3 specular;
+  vec3 position;
+  vec3 attenuation;
+  float cosineOfCone; // below 0: it shines in all directions
+  float exponent;
+  uint positional;
+};
+EXABRICKS_CONST uint MOST_LIGHTS = 8u;
+
+// Opacity by the gradient's magnitude: the change of the normalised value over the mean width of a
+// finest cell.
+EXABRICKS_CONST uint GRADIENT_OPACITIES = 1024u; // entries of the table
+EXABRICKS_CONST float GREATEST_GRADIENT = 0.25f; // of the last one
+
 // One picture.
 struct Frame
 {
@@ -166,6 +185,24 @@ struct Frame
   DeviceAddress nearDepth; // the same, at which they begin
   DeviceAddress picture;   // vec4[height][width], premultiplied, row 0 at the bottom
   DeviceAddress scene;     // acceleration structure
+
+  // For variants that are shaded, or have opacity by gradients
+  DeviceAddress gradientOpacity; // float[GRADIENT_OPACITIES], by which extinction is multiplied
+  vec3 gradientToMagnitude;      // for derivatives along x, y, z by half cells
+  float ambient;
+  vec3 halfCellsToWorldX; // columns of the linear map
+  float diffuse;
+  vec3 halfCellsToWorldY;
+  float specular;
+  vec3 halfCellsToWorldZ;
+  float specularPower;
+  vec3 gradientToWorldX; // columns of a map to the direction of the gradient in the world
+  uint twoSided;
+  vec3 gradientToWorldY;
+  uint lightCount;
+  vec3 gradientToWorldZ;
+  uint unusedToo;
+  Light lights[MOST_LIGHTS];
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -200,7 +237,9 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
-static_assert(sizeof(Frame) == 312 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
+static_assert(
+  sizeof(Frame) == 1008 && offsetof(Frame, lights) == 432 && offsetof(Frame, bricks) == 232,
+  "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks
 #endif

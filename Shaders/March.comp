@@ -26,10 +26,12 @@
 #include "Basis.glsl"
 #include "Completed.glsl"
 #include "Field.glsl"
+#include "Gradient.glsl"
 
 // What it looks like.
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 
 // The march.

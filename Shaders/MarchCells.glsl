@@ -7,7 +7,14 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   float end = cursor.exit;
   if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
   {
-    addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
+    const float middle = 0.5 * (cursor.entry + end);
+    vec3 gradient = vec3(0.0);
+    if (needsGradient)
+    {
+      gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
+    }
+    addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
+      spotAt(ray, cursor.brick, middle, gradient), gathered);
   }
   cursor.entry = end;
   cursor.intervals = end < cursor.exit ? 1 : 0;

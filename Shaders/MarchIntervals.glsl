@@ -30,11 +30,23 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const int count = cursor.halved && !first ? 2 : 1;
     float middle = 0.0;
     float value = 0.0;
+    vec3 middleGradient = vec3(0.0);
+    vec3 gradient = vec3(0.0);
     for (int k = 1; k <= count; ++k)
     {
       middle = value;
-      value = sampleField(cursor.brick, cursor.others, ray,
-        first ? cursor.entry : k == count ? end : cursor.entry + 0.5 * length);
+      middleGradient = gradient;
+      const float at = first ? cursor.entry : k == count ? end : cursor.entry + 0.5 * length;
+      if (needsGradient)
+      {
+        const vec4 jet = sampleFieldJet(cursor.brick, cursor.others, ray, at);
+        gradient = jet.xyz;
+        value = jet.w;
+      }
+      else
+      {
+        value = sampleField(cursor.brick, cursor.others, ray, at);
+      }
     }
     // The middle that gives the halves together the mean of the parabola through all three (Simpson's
     // rule); but no value that lies beyond them, which the field may not take.
@@ -49,8 +61,13 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     for (int k = 1; k <= count; ++k)
     {
       const float next = k == count ? value : middle;
-      addInterval(cursor.value, next, units, first, gathered);
+      const vec3 nextGradient = k == count ? gradient : middleGradient;
+      const Spot spot = spotAt(ray, cursor.brick,
+        cursor.entry + (float(k) - 0.5) / float(count) * length,
+        0.5 * (cursor.gradient + nextGradient));
+      addInterval(cursor.value, next, units, first, spot, gathered);
       cursor.value = next;
+      cursor.gradient = nextGradient;
     }
   }
   cursor.known = there;

@@ -8,8 +8,12 @@ layout(constant_id = 1) const bool beginsAtDepth = false;
 layout(constant_id = 2) const bool takesPixels = false;
 // How what lies along the ray becomes a colour (Blend.glsl).
 layout(constant_id = 3) const uint blending = BLENDING_COMPOSITE;
+// The rest of what is seen is lit, and less opaque where the field changes little.
+layout(constant_id = 8) const bool isShaded = false;
+layout(constant_id = 9) const bool hasGradientOpacity = false;
 
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
 const bool isComposite = blending == BLENDING_COMPOSITE;
 const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
+const bool needsGradient = isShaded || hasGradientOpacity;

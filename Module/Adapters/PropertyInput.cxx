@@ -78,6 +78,12 @@ void checkValues(vtkVolumeProperty* property, const MapperSettings& settings, Re
 }
 }
 
+bool hasGradientOpacity(vtkVolumeProperty* property)
+{
+  return !property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0) &&
+    changesOpacity(property->GetGradientOpacity(0));
+}
+
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
@@ -95,15 +101,6 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     return requests;
   }
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
-  if (property->GetShade(0))
-  {
-    without("Shading is not supported yet: the volume is drawn unshaded.");
-  }
-  if (!property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0) &&
-    changesOpacity(property->GetGradientOpacity(0)))
-  {
-    without("Gradient opacity is not supported yet: the volume is drawn without it.");
-  }
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
     without(

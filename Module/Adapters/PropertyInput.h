@@ -31,6 +31,9 @@ struct MapperSettings
   bool vectorModeChosen = false;
 };
 
+/// Whether the property's opacity of component 0 depends on gradients.
+bool hasGradientOpacity(vtkVolumeProperty* property);
+
 /// Checks what can be told without data.
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/ViewInput.h"
 
+#include "Adapters/MatrixInput.h"
+
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -16,20 +17,6 @@ namespace exabricks
 {
 namespace
 {
-// VTK keeps rows, GLM columns.
-glm::dmat4 toGLM(vtkMatrix4x4* matrix)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 // From world to normalised device coordinates, with the eye of a stereo picture and the camera's
 // model transform. VTK's geometry has a copy of it (vtkOpenGLCamera::GetKeyMatrices), which is one
 // picture late when stereo is switched on.

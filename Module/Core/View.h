@@ -4,6 +4,7 @@
 #define ExaBricksCoreView_h
 
 #include "Core/Blending.h"
+#include "Core/Lighting.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -71,6 +72,7 @@ struct View
   double opacityUnitDistance = 1.0; // length in the data's coordinates
   Blending blending = Blending::Composite;
   glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
+  std::optional<Lighting> lighting;    // none: colours are those of the transfer function
 };
 
 /// Whether both show the same in the same size, but for depths.
@@ -84,7 +86,7 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
-    a.averageRange == b.averageRange;
+    a.averageRange == b.averageRange && a.lighting == b.lighting;
 }
 }
 

@@ -2,7 +2,9 @@
 #include "Vulkan/MarchPass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace exabricks
 {
@@ -55,6 +57,48 @@ Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
   // Where nothing of the bounds is between the planes, any depths do.
   return depths.first < depths.second ? depths : Depths();
 }
+
+// `toWorld`: linear, from half cells.
+void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dmat3& toWorld)
+{
+  frame.ambient = static_cast<float>(lighting.ambient);
+  frame.diffuse = static_cast<float>(lighting.diffuse);
+  frame.specular = static_cast<float>(lighting.specular);
+  frame.specularPower = static_cast<float>(lighting.specularPower);
+  frame.twoSided = lighting.twoSided;
+  frame.halfCellsToWorldX = toWorld[0];
+  frame.halfCellsToWorldY = toWorld[1];
+  frame.halfCellsToWorldZ = toWorld[2];
+  // Gradients are covectors. Only their direction is asked for.
+  const glm::dmat3 covector = glm::transpose(glm::inverse(toWorld));
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      largest = std::max(largest, std::abs(covector[column][row]));
+    }
+  }
+  frame.gradientToWorldX = covector[0] / largest;
+  frame.gradientToWorldY = covector[1] / largest;
+  frame.gradientToWorldZ = covector[2] / largest;
+  frame.lightCount =
+    static_cast<std::uint32_t>(std::min<std::size_t>(lighting.lights.size(), layout::MOST_LIGHTS));
+  for (std::uint32_t i = 0; i < frame.lightCount; ++i)
+  {
+    const Light& from = lighting.lights[i];
+    layout::Light& to = frame.lights[i];
+    to.direction = from.direction;
+    to.diffuse = from.diffuse;
+    to.specular = from.specular;
+    to.positional = from.positional;
+    to.position = from.position;
+    to.attenuation = from.attenuation;
+    to.cosineOfCone =
+      from.coneAngle > 90.0 ? -1.0f : static_cast<float>(std::cos(glm::radians(from.coneAngle)));
+    to.exponent = static_cast<float>(from.exponent);
+  }
+}
 }
 
 void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalfCells)
@@ -76,6 +120,15 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.halfCellsToUnitsX = toUnits[0];
   frame.halfCellsToUnitsY = toUnits[1];
   frame.halfCellsToUnitsZ = toUnits[2];
+  const glm::dmat3 toData = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells));
+  const glm::dvec3 finest(view.camera.halfCellsToData[0].x, view.camera.halfCellsToData[1].y,
+    view.camera.halfCellsToData[2].z);
+  frame.gradientToMagnitude = 2.0 / 3.0 * (finest.x + finest.y + finest.z) /
+    glm::dvec3(toData[0].x, toData[1].y, toData[2].z);
+  if (view.lighting)
+  {
+    fillLighting(frame, *view.lighting, view.lighting->dataToWorld * toData);
+  }
   frame.width = static_cast<std::uint32_t>(view.target.width);
   frame.height = static_cast<std::uint32_t>(view.target.height);
   frame.stepScale = static_cast<float>(view.quality.stepScale);

@@ -18,13 +18,15 @@ struct MarchVariant
   Traversal traversal = Traversal::KdTree; // RayQuery or KdTree
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
-  bool beginsAtDepth = false; // for views with a nearDepth
+  bool beginsAtDepth = false;      // for views with a nearDepth
+  bool shaded = false;             // for views with lighting
+  bool hasGradientOpacity = false; // where opacity depends on the gradient
 };
 
 inline auto asTuple(const MarchVariant& variant)
 {
-  return std::make_tuple(
-    variant.traversal, variant.reconstruction, variant.blending, variant.beginsAtDepth);
+  return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
+    variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

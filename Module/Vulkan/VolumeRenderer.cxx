@@ -18,6 +18,7 @@ struct VolumeRenderer::Internals
   // What the caller set.
   Traversal RequestedTraversal = Traversal::Automatic;
   TransferFunction Transfer;
+  std::vector<float> GradientOpacity;
   // And with the last view: what is looked up and what shows depend on it.
   Blending Blended = Blending::Composite;
   glm::dvec2 AverageRange{ 0.0, 1.0 };
@@ -109,7 +110,8 @@ struct VolumeRenderer::Internals
       this->Colors.emplace(this->Session.device(),
         TransferTable(findLookup(this->Transfer, this->Blended, this->AverageRange),
           this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
-                                               : TransferTable::Amount::Opacity));
+                                               : TransferTable::Amount::Opacity),
+        this->GradientOpacity);
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -168,6 +170,9 @@ struct VolumeRenderer::Internals
     variant.reconstruction = view.quality.reconstruction;
     variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
+    const bool byAbsorption = view.blending == Blending::Composite;
+    variant.shaded = byAbsorption && view.lighting.has_value();
+    variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
@@ -370,6 +375,17 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
   if (this->Data->Weights)
   {
     this->Data->Weights.emplace(TransferTable(transfer));
+  }
+}
+
+void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
+{
+  if (table != this->Data->GradientOpacity)
+  {
+    this->Data->Session.forget();
+    this->Data->Colors.reset();
+    this->Data->ForgetChoice();
+    this->Data->GradientOpacity = table;
   }
 }
 

@@ -38,6 +38,10 @@ public:
   /// with an error tolerance, a new selection of the active regions.
   void setTransferFunction(const TransferFunction& transfer);
 
+  /// By what the extinction of Blending::Composite is multiplied, for GRADIENT_OPACITIES gradients
+  /// from 0 to GREATEST_GRADIENT (Layout.h); empty: by nothing.
+  void setGradientOpacity(const std::vector<float>& table);
+
   /// Brings everything on the device up to date.
   std::string prepare();
 

@@ -63,15 +63,6 @@ int TestUnsupportedRequests(int, char*[])
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
     checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
   };
-  warnsOnce("Shading", [&] { property->ShadeOn(); });
-  warnsOnce("Gradient opacity",
-    [&]
-    {
-      vtkNew<vtkPiecewiseFunction> gradient;
-      gradient->AddPoint(0.0, 0.0);
-      gradient->AddPoint(1.0, 1.0);
-      property->SetGradientOpacity(gradient);
-    });
   warnsOnce("Cropping",
     [&]
     {

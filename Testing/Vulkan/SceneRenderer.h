@@ -67,6 +67,7 @@ struct SceneRenderer
     view.quality.reconstruction = this->reconstruction;
     view.blending = this->blending;
     view.averageRange = this->averageRange;
+    view.lighting = this->lighting;
     return view;
   }
 
@@ -104,6 +105,7 @@ struct SceneRenderer
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
   glm::dvec2 averageRange{ 0.0, 1.0 };
+  std::optional<Lighting> lighting;
 
 private:
   static Volume MakeVolume(const reference::Scene& scene)

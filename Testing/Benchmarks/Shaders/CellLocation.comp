@@ -19,6 +19,7 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 
 #include "BrickTreeNode.h"
 
@@ -79,6 +80,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #include "Cursor.glsl"
 #include "MarchCells.glsl"

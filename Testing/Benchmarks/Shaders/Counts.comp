@@ -17,6 +17,7 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 
 uvec4 counts = uvec4(0);
 
@@ -32,6 +33,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterUncounted
 #define marchOn marchUncounted

@@ -16,9 +16,11 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"

@@ -17,9 +17,11 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterRegionAndFit
 #define marchOn marchFitted

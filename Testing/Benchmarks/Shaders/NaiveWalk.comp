@@ -22,6 +22,7 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 
 #include "BrickTreeNode.h"
 
@@ -108,6 +109,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"

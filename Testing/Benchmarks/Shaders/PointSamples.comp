@@ -17,9 +17,11 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #include "Absorption.glsl"
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterRegionForMeans
 #include "Cursor.glsl"
@@ -47,7 +49,8 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const float at = cursor.entry;
 #endif
     addConstant(sampleField(cursor.brick, cursor.others, ray, at),
-      (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
+      (end - cursor.entry) * ray.unitsPerHalfCell, spotAt(ray, cursor.brick, at, vec3(0.0)),
+      gathered);
   }
   cursor.entry = end;
   cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;

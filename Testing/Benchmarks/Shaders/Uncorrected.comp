@@ -18,6 +18,7 @@
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
+#include "Gradient.glsl"
 #include "Field.glsl"
 #include "TransferFunction.glsl"
 #define absorbBetween absorbLength
@@ -32,6 +33,7 @@ vec4 absorbBetween(
   return absorbLength(from, to, values, part, unitsPerSample);
 }
 
+#include "Lighting.glsl"
 #include "Blend.glsl"
 #include "Cursor.glsl"
 #include "MarchCells.glsl"

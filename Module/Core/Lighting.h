@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a volume is shaded: Blinn and Phong's model, on normals against the gradient of the field.
+#ifndef ExaBricksCoreLighting_h
+#define ExaBricksCoreLighting_h
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace exabricks
+{
+/// In world coordinates, counted from the place of the lower corner of the data's bounds.
+struct Light
+{
+  glm::dvec3 direction{ 0.0, 0.0, -1.0 }; // in which it shines, of length 1
+  glm::dvec3 diffuse{ 1.0 };              // colour times intensity
+  glm::dvec3 specular{ 1.0 };
+  // What follows counts where it has a position.
+  bool positional = false;
+  glm::dvec3 position{ 0.0 };
+  glm::dvec3 attenuation{ 1.0, 0.0, 0.0 }; // 1 / (x + y d + z d^2) at distance d
+  double coneAngle = 90.0;                 // degrees from the axis; above 90: in all directions
+  double exponent = 1.0;                   // of the cosine from the axis, in a cone
+};
+
+inline bool operator==(const Light& a, const Light& b)
+{
+  return a.direction == b.direction && a.diffuse == b.diffuse && a.specular == b.specular &&
+    a.positional == b.positional && a.position == b.position && a.attenuation == b.attenuation &&
+    a.coneAngle == b.coneAngle && a.exponent == b.exponent;
+}
+
+struct Lighting
+{
+  double ambient = 0.1; // of the material, times the colour
+  double diffuse = 0.7; // times the colour
+  double specular = 0.2;
+  double specularPower = 10.0;
+  bool twoSided = true; // light from behind counts as much
+  std::vector<Light> lights;
+  glm::dmat3 dataToWorld{ 1.0 }; // linear
+};
+
+inline bool operator==(const Lighting& a, const Lighting& b)
+{
+  return a.ambient == b.ambient && a.diffuse == b.diffuse && a.specular == b.specular &&
+    a.specularPower == b.specularPower && a.twoSided == b.twoSided && a.lights == b.lights &&
+    a.dataToWorld == b.dataToWorld;
+}
+}
+
+#endif

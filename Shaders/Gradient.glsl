@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The field together with its gradient, analytically. A quantity and its derivatives along x, y and
+// z are one vec4: w and xyz.
+
+vec4 multiplyJets(vec4 a, vec4 b) { return vec4(a.w * b.xyz + b.w * a.xyz, a.w * b.w); }
+
+vec4 divideJets(vec4 a, vec4 b)
+{
+  const float quotient = a.w / b.w;
+  return vec4((a.xyz - quotient * b.xyz) / b.w, quotient);
+}
+
+// Trilinear, of the eight values around a point; derivatives by its place f.
+vec4 interpolateJet(vec4 lower, vec4 upper, vec3 f)
+{
+  const vec4 xy = mix(lower, upper, f.z);
+  const vec2 x = mix(xy.xy, xy.zw, f.y);
+  const vec4 up = upper - lower;
+  const vec2 upX = mix(up.xy, up.zw, f.y);
+  const vec2 along = xy.zw - xy.xy;
+  return vec4(x.y - x.x, mix(along.x, along.y, f.x), mix(upX.x, upX.y, f.x), mix(x.x, x.y, f.x));
+}
+
+// The tent of the distance from the box of cell centres, n along each axis, at q.
+vec4 tentJet(vec3 q, vec3 n)
+{
+  const vec3 off = q - clamp(q, vec3(0.0), n - 1.0);
+  const vec3 h = max(1.0 - abs(off), 0.0);
+  return vec4(-sign(off) * vec3(h.y * h.z, h.x * h.z, h.x * h.y), h.x * h.y * h.z);
+}
+
+// q, moved to the box of cell centres where the brick ends with the data's bounds: in the outermost
+// half of a cell the field is constant, which would leave a dull skin on the data, and its slope is
+// taken to go on.
+vec3 insideBounds(Brick brick, vec3 q, vec3 n)
+{
+  const bvec3 first = equal(brick.lo, ivec3(0));
+  const bvec3 last = equal(brick.lo + 2 * brick.width * ivec3(n), constants.frame.size);
+  return max(min(q, mix(q, n - 1.0, last)), mix(q, vec3(0.0), first));
+}
+
+// Basis (Basis.glsl): adds a brick's tents at q, in cells from its lower corner; derivatives by half
+// cells.
+void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
+{
+  const uvec3 n = cellsOf(brick);
+  q -= 0.5;
+  const vec4 w = tentJet(q, vec3(n));
+  if (w.w <= 0.0)
+  {
+    return;
+  }
+  const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
+  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
+  const uvec3 i = toIndex(corner);
+  const vec3 f = c - corner;
+  const uint dx = n.x > 1u ? 1u : 0u;
+  const uint dy = n.y > 1u ? n.x : 0u;
+  const uint dz = n.z > 1u ? n.x * n.y : 0u;
+  const uint at = i.x + n.x * (i.y + n.y * i.z);
+  Values values = Values(brick.values);
+  vec4 lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
+    values.items[at + dy + dx]);
+  vec4 upper = vec4(values.items[at + dz], values.items[at + dz + dx],
+    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  vec4 present = vec4(0.0, 0.0, 0.0, 1.0);
+  // Outside of the box of centres the nearest place in it counts.
+  const vec4 inside = vec4(equal(insideBounds(brick, q, vec3(n)), c), true);
+  if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) != 0u)
+  {
+    const vec4 lowerThere = vec4(greaterThanEqual(lower, vec4(0.0)));
+    const vec4 upperThere = vec4(greaterThanEqual(upper, vec4(0.0)));
+    present = interpolateJet(lowerThere, upperThere, f) * inside;
+    lower *= lowerThere;
+    upper *= upperThere;
+  }
+  const vec4 value = interpolateJet(lower, upper, f) * inside;
+  const vec4 toHalfCells = vec4(vec3(0.5 / float(brick.width)), 1.0);
+  sum += multiplyJets(w, value) * toHalfCells;
+  weight += multiplyJets(w, present) * toHalfCells;
+}
+
+// Completed (Completed.glsl), likewise.
+void addCompletedJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
+{
+  const uvec3 n = cellsOf(brick);
+  q -= 0.5;
+  vec4 w = tentJet(q, vec3(n));
+  if (w.w <= 0.0)
+  {
+    return;
+  }
+  q = insideBounds(brick, q, vec3(n));
+  const vec3 i = min(floor(q), vec3(n) - 1.0); // -1 to n - 1
+  const vec3 f = q - i;
+  const uint dy = n.x + 2u;
+  const uint dz = dy * (n.y + 2u);
+  const uint at = placeOf(n, ivec3(i));
+  Values values = Values(brick.values);
+  vec4 lower =
+    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
+  vec4 upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
+    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+  vec4 value;
+  if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    value = interpolateJet(lower, upper, f);
+  }
+  else
+  {
+    const vec4 lowerThere = vec4(greaterThanEqual(lower, vec4(0.0)));
+    const vec4 upperThere = vec4(greaterThanEqual(upper, vec4(0.0)));
+    // those of the brick's own cells
+    const vec3 first = vec3(greaterThanEqual(i, vec3(0.0)));
+    const vec3 last = vec3(lessThan(i, vec3(n) - 1.0));
+    const vec4 own = vec4(first.x * first.y, last.x * first.y, first.x * last.y, last.x * last.y);
+    w = interpolateJet(own * first.z * lowerThere, own * last.z * upperThere, f);
+    if (w.w <= 0.0)
+    {
+      return;
+    }
+    value = divideJets(interpolateJet(lower * lowerThere, upper * upperThere, f),
+      interpolateJet(lowerThere, upperThere, f));
+  }
+  const vec4 toHalfCells = vec4(vec3(0.5 / float(brick.width)), 1.0);
+  sum += multiplyJets(w, value) * toHalfCells;
+  weight += w * toHalfCells;
+}
+
+// As sampleField() (Field.glsl): the field at the ray's point, and its gradient by half cells.
+// Where cells have one value each, the gradient is that of the basis.
+vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
+{
+  vec4 sum = vec4(0.0);
+  vec4 weight = vec4(0.0);
+  while (true)
+  {
+    const vec3 q = toCells(brick, ray, distance);
+    if (isCompleted)
+    {
+      addCompletedJet(brick, q, sum, weight);
+    }
+    else
+    {
+      addBasisJet(brick, q, sum, weight);
+    }
+    if (others == 0u)
+    {
+      break;
+    }
+    brick = nextBrick(others);
+  }
+  vec4 jet = divideJets(sum, weight);
+  jet.w = clamp(jet.w, 0.0, 1.0);
+  return jet;
+}

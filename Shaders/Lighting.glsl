@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shading and opacity by the gradient (Core/Lighting.h).
+
+// The piece of a ray that is shaded as one.
+struct Spot
+{
+  vec3 gradient;  // by half cells
+  float width;    // of a cell there, in finest cells
+  vec3 place;     // of its middle, half cells
+  vec3 direction; // of the ray
+};
+
+Spot spotAt(Ray ray, Brick brick, float distance, vec3 gradient)
+{
+  return Spot(gradient, float(brick.width),
+    vec3(ray.base) + (ray.fraction + distance * ray.direction), ray.direction);
+}
+
+vec3 toWorld(vec3 halfCells)
+{
+  return constants.frame.halfCellsToWorldX * halfCells.x +
+    constants.frame.halfCellsToWorldY * halfCells.y +
+    constants.frame.halfCellsToWorldZ * halfCells.z;
+}
+
+// Against the gradient, of length 1; or 0, where the field changes by no more than rounding.
+vec3 normalAt(Spot spot)
+{
+  const vec3 normal = constants.frame.gradientToWorldX * spot.gradient.x +
+    constants.frame.gradientToWorldY * spot.gradient.y +
+    constants.frame.gradientToWorldZ * spot.gradient.z;
+  const float change = length(spot.gradient) * spot.width;
+  return change > 1e-6 ? -normalize(normal) : vec3(0.0);
+}
+
+// What reaches a place of a light, and `toLight`, the direction in which it is.
+float attenuate(Light light, vec3 place, out vec3 toLight)
+{
+  toLight = -light.direction;
+  if (light.positional == 0u)
+  {
+    return 1.0;
+  }
+  const vec3 path = place - light.position;
+  const float distance = length(path);
+  toLight = -path / distance;
+  const float attenuation =
+    1.0 / dot(light.attenuation, vec3(1.0, distance, distance * distance));
+  if (light.cosineOfCone < 0.0)
+  {
+    return attenuation;
+  }
+  const float cosine = -dot(toLight, light.direction);
+  return cosine >= light.cosineOfCone ? attenuation * pow(cosine, light.exponent) : 0.0;
+}
+
+float sided(float cosine)
+{
+  return max(constants.frame.twoSided != 0u ? abs(cosine) : cosine, 0.0);
+}
+
+// Premultiplied colour and opacity, as they are lit.
+vec4 shade(vec4 color, Spot spot)
+{
+  const vec3 normal = normalAt(spot);
+  const vec3 view = -normalize(toWorld(spot.direction));
+  const vec3 place = toWorld(spot.place);
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  for (uint i = 0u; i < constants.frame.lightCount; ++i)
+  {
+    const Light light = constants.frame.lights[i];
+    vec3 toLight;
+    const float reaching = attenuate(light, place, toLight);
+    diffuse += light.diffuse * (reaching * sided(dot(normal, toLight)));
+    const float shine = sided(dot(normal, normalize(toLight + view)));
+    specular += light.specular *
+      (shine > 0.0 ? reaching * pow(shine, constants.frame.specularPower) : 0.0);
+  }
+  return vec4(color.rgb * (constants.frame.ambient + constants.frame.diffuse * diffuse) +
+      color.a * constants.frame.specular * specular, color.a);
+}
+
+// By what the extinction is multiplied. The table goes evenly from a gradient of nothing to
+// GREATEST_GRADIENT.
+float opacityOfGradient(Spot spot)
+{
+  const float magnitude = length(spot.gradient * constants.frame.gradientToMagnitude);
+  const float x = clamp(magnitude / GREATEST_GRADIENT, 0.0, 1.0) * float(GRADIENT_OPACITIES - 1u);
+  const float whole = min(floor(x), float(GRADIENT_OPACITIES - 2u));
+  const uint i = min(toIndex(whole), GRADIENT_OPACITIES - 2u);
+  Values table = Values(constants.frame.gradientOpacity);
+  return mix(table.items[i], table.items[i + 1u], x - whole);
+}

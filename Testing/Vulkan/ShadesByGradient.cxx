@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shading and opacity by gradients beside brute force in double precision, on one level and across
+// levels, with every kind of light. The scenes are noise, whose gradient jumps at each face between
+// cells: errors fall with the step, not with its square.
+#include "SceneRenderer.h"
+#include "Traversals.h"
+
+#include "Layout.h"
+#include "Reference/Shaded.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+using namespace exabricks;
+
+namespace
+{
+constexpr int Pixels = 40;
+
+TransferFunction fog()
+{
+  return TransferFunction({ { 0.0, { 0.1, 0.2, 0.9, 0.0 } }, { 0.35, { 0.2, 0.8, 0.3, 0.1 } },
+    { 0.7, { 0.9, 0.8, 0.1, 0.5 } }, { 1.0, { 1.0, 0.1, 0.0, 0.9 } } });
+}
+
+Lighting oneLight()
+{
+  Lighting lighting;
+  lighting.lights.emplace_back();
+  lighting.lights.back().direction = glm::normalize(glm::dvec3(-0.6, 0.5, -0.4));
+  return lighting;
+}
+
+// A coloured light from the side, one in the middle of the volume, and a spot on a corner of it.
+Lighting threeLights(const glm::dvec3& size)
+{
+  Lighting lighting = oneLight();
+  lighting.ambient = 0.2;
+  lighting.specular = 0.5;
+  lighting.specularPower = 20.0;
+  lighting.lights[0].direction = { 1.0, 0.0, 0.0 };
+  lighting.lights[0].diffuse = { 1.0, 0.5, 0.1 };
+  Light lamp;
+  lamp.positional = true;
+  lamp.position = 0.5 * size;
+  lamp.coneAngle = 180.0;
+  lamp.attenuation = { 1.0, 0.01, 0.001 };
+  lamp.diffuse = { 0.1, 0.7, 0.9 };
+  lighting.lights.push_back(lamp);
+  Light spot;
+  spot.positional = true;
+  spot.position = 2.0 * size;
+  spot.direction = glm::normalize(-size);
+  spot.coneAngle = 15.0;
+  spot.exponent = 3.0;
+  lighting.lights.push_back(spot);
+  return lighting;
+}
+
+reference::FieldFunction fieldOf(const reference::Oracle& oracle)
+{
+  return [&](const glm::dvec3& logical)
+  { return oracle.sample(logical, reference::Reconstruction::Basis); };
+}
+
+struct Case
+{
+  SceneRenderer subject;
+  reference::Oracle oracle;
+  reference::View view;
+  reference::ShadedSettings settings;
+
+  explicit Case(const reference::Scene& scene)
+    : subject(scene)
+    , oracle(scene.hierarchy, findLeafBoxes(scene.hierarchy), scene.cells)
+    , view(subject.look({ -0.6, 0.5, -0.4 }, 30.0, Pixels))
+  {
+    this->subject.opacityUnitDistance = this->settings.opacityUnitDistance = 3.0;
+    this->subject.stepScale = 0.125;
+    this->subject.setTransfer(fog());
+  }
+
+  glm::dvec3 worldSize() const
+  {
+    return glm::dmat3(reference::logicalToWorld(this->subject.scene.hierarchy)) *
+      glm::dvec3(this->subject.structure.tree.bounds.size());
+  }
+
+  reference::Image truth() const
+  {
+    return reference::renderShaded(fieldOf(this->oracle), this->subject.structure.tree.bounds,
+      this->view, reference::logicalToWorld(this->subject.scene.hierarchy), this->subject.transfer,
+      this->settings);
+  }
+
+  // dB over drawn pixels, the worst of the traversals.
+  double compare(const reference::Image& truth)
+  {
+    this->subject.lighting = this->settings.lighting;
+    double worst = 1000.0;
+    for (const Traversal traversal : traversalsOfDevice())
+    {
+      this->subject.renderer.selectTraversal(traversal);
+      worst = std::min(worst, reference::psnrOfDrawn(this->subject.render(this->view), truth));
+    }
+    return worst;
+  }
+};
+
+// A slanted view of what lies some cells inside of the bounds: at them slopes go on, which is not
+// of the field itself.
+reference::View lookInside(const reference::Scene& scene, const Box& bounds)
+{
+  reference::View view;
+  view.width = view.height = Pixels / 2;
+  const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
+  const glm::dvec3 half = 0.5 * glm::dvec3(bounds.size()) - 4.0;
+  view.ndcToLogical = glm::translate(glm::dmat4(1.0), middle);
+  view.ndcToLogical = glm::scale(view.ndcToLogical, half);
+  view.ndcToLogical[0].x = 0.7 * half.x;
+  view.ndcToLogical[2].x = 0.3 * half.x;
+  view.ndcToLogical[1].y = 0.8 * half.y;
+  view.ndcToLogical[2].y = -0.2 * half.y;
+  view.ndcToWorld = reference::logicalToWorld(scene.hierarchy) * view.ndcToLogical;
+  return view;
+}
+
+std::vector<reference::Scene> scenes()
+{
+  return { reference::uniform(), reference::twoLevels(), reference::ratio4(),
+    reference::anisotropic(), reference::holes() };
+}
+}
+
+TEST(ShadesByGradient, AHeadlight)
+{
+  for (const reference::Scene& scene : scenes())
+  {
+    Case test(scene);
+    const reference::Image unshaded = test.truth();
+    test.settings.lighting = oneLight();
+    const reference::Image truth = test.truth();
+    const double quality = test.compare(truth);
+    std::cout << scene.name << ": " << quality << " dB, coverage " << coverage(truth)
+              << ", beside unshaded " << reference::psnrOfDrawn(unshaded, truth) << " dB\n";
+    EXPECT_GE(quality, 48.0) << scene.name;
+    EXPECT_LT(reference::psnrOfDrawn(unshaded, truth), 25.0) << scene.name;
+  }
+}
+
+TEST(ShadesByGradient, LightsOfEveryKind)
+{
+  for (const reference::Scene& scene : { reference::twoLevels(), reference::anisotropic() })
+  {
+    for (const bool twoSided : { false, true })
+    {
+      Case test(scene);
+      test.settings.lighting = threeLights(test.worldSize());
+      test.settings.lighting->twoSided = twoSided;
+      const double quality = test.compare(test.truth());
+      std::cout << scene.name << (twoSided ? ", two-sided: " : ", one-sided: ") << quality
+                << " dB\n";
+      EXPECT_GE(quality, 48.0) << scene.name;
+    }
+  }
+}
+
+TEST(ShadesByGradient, OpacityByTheGradientsMagnitude)
+{
+  for (const reference::Scene& scene : scenes())
+  {
+    Case test(scene);
+    test.view = lookInside(scene, test.subject.structure.tree.bounds);
+    const reference::Image plain = test.truth();
+    test.settings.gradientOpacity = [](double magnitude)
+    { return std::clamp((magnitude - 0.03) / 0.05, 0.0, 1.0); };
+    std::vector<float> table(layout::GRADIENT_OPACITIES);
+    for (std::size_t i = 0; i < table.size(); ++i)
+    {
+      table[i] = static_cast<float>(test.settings.gradientOpacity(
+        layout::GREATEST_GRADIENT * static_cast<double>(i) / (table.size() - 1.0)));
+    }
+    test.subject.renderer.setGradientOpacity(table);
+    const reference::Image truth = test.truth();
+    const double quality = test.compare(truth);
+    std::cout << scene.name << ": " << quality << " dB, coverage " << coverage(truth)
+              << ", beside plain " << reference::psnrOfDrawn(plain, truth) << " dB\n";
+    EXPECT_GE(quality, 46.0) << scene.name;
+    EXPECT_LT(reference::psnrOfDrawn(plain, truth), 35.0) << scene.name;
+  }
+}
