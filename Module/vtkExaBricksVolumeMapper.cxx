@@ -5,6 +5,7 @@
 #include "Adapters/ArraySelection.h"
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/Compositor.h"
+#include "Adapters/CutawayInput.h"
 #include "Adapters/DrawnRenderers.h"
 #include "Adapters/LightingInput.h"
 #include "Adapters/PropertyInput.h"
@@ -211,6 +212,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
     view.quality.stepScale = this->Self->StepScale;
     view.quality.errorTolerance = this->Self->ErrorTolerance;
+    view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
     view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
     view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
     view.blending = exabricks::findBlending(this->Self);

@@ -23,8 +23,13 @@
  * with the composite blend mode. Blend modes: composite, maximum, minimum and average intensity,
  * additive. It says so when it is asked for what it does not do yet: iso-surfaces, slices and
  * dependent components such as RGBA (an error, nothing is drawn); 2-D transfer functions, several
- * independent components and their weights, colours of categories, cropping and clipping planes (a
- * warning, drawn without).
+ * independent components and their weights, colours of categories (a warning, drawn without).
+ *
+ * Clipping planes (AddClippingPlane(), SetClippingPlanes()) are in world coordinates and leave what
+ * lies along their normals; with more than 32 of them, or one without a direction, nothing is
+ * drawn, and an error says so. Cropping (CroppingOn(), SetCroppingRegionPlanes(),
+ * SetCroppingRegionFlags()) is in the data's own coordinates; where an upper plane is below its
+ * lower one, nothing is between the two. Both cut exactly, through cells and steps.
  *
  * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
  * geometry shows in the right order with it; else the volume is drawn over it.

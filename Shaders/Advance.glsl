@@ -40,8 +40,11 @@ bool advance(FrameBuffer f, inout Pixel pixel, inout Ray ray, float distance)
   for (; pixel.segment < SEGMENTS; ++pixel.segment)
   {
     Segment segment;
-    if (findSegment(f, pixel.place, pixel.segment, segment) &&
-      makeRay(segment.line, add(segment.begin, pixel.skip), segment.end, f.frame.size, ray))
+    if (!findSegment(f, pixel.place, pixel.segment, segment))
+    {
+      return false;
+    }
+    if (makeRay(segment.line, add(segment.begin, pixel.skip), segment.end, f.frame.size, ray))
     {
       return true;
     }

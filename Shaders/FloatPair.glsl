@@ -97,6 +97,23 @@ Pair greater(Pair a, Pair b)
   return a;
 }
 
+Pair lesser(Pair a, Pair b)
+{
+  if (isLess(a, b))
+  {
+    return a;
+  }
+  return b;
+}
+
+// The sum of all four.
+Pair sum(Pair4 a)
+{
+  const Pair4 two =
+    add(Pair4(a.high.xyxy, a.low.xyxy), Pair4(a.high.zwzw, a.low.zwzw));
+  return add(Pair(two.high.x, two.low.x), Pair(two.high.y, two.low.y));
+}
+
 // Scaled by a power of two, so that squares are in the range of floats.
 Pair lengthOf(Pair3 vector)
 {

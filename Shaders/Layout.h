@@ -150,6 +150,9 @@ EXABRICKS_CONST uint MOST_LIGHTS = 8u;
 EXABRICKS_CONST uint GRADIENT_OPACITIES = 1024u; // entries of the table
 EXABRICKS_CONST float GREATEST_GRADIENT = 0.25f; // of the last one
 
+// A picture may have at most so many.
+EXABRICKS_CONST uint MOST_CLIPPING_PLANES = 32u;
+
 // One picture.
 struct Frame
 {
@@ -203,6 +206,16 @@ struct Frame
   vec3 gradientToWorldZ;
   uint unusedToo;
   Light lights[MOST_LIGHTS];
+
+  // A place in half cells is left where its product with each plane, (x, y, z, 1) . plane, is not
+  // below 0. xyz are of length 1.
+  Pair4 clippingPlanes[MOST_CLIPPING_PLANES];
+  // The two planes of each axis, half cells; w: 0. Which of their 27 regions are shown: bit x + 3 y
+  // + 9 z, with x = 0 below the lower plane, 1 between the two, 2 from the upper one on.
+  Pair4 croppingLower;
+  Pair4 croppingUpper;
+  uint clippingPlaneCount;
+  uint shownRegions;
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -238,7 +251,8 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 1008 && offsetof(Frame, lights) == 432 && offsetof(Frame, bricks) == 232,
+  sizeof(Frame) == 2104 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
+static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1008,
   "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks

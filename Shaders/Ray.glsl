@@ -58,7 +58,14 @@ bool makeRay(Line line, Pair begin, Pair end, ivec3 size, out Ray ray)
   const vec3 enter = min(low, high);
   const vec3 leave = max(low, high);
   ray.begin = max(0.0, max(enter.x, max(enter.y, enter.z)));
-  ray.end = min(add(end, negative(begin)).high, min(leave.x, min(leave.y, leave.z)));
+  float reach = add(end, negative(begin)).high;
+  if ((clipped || cropped) && reach > REBASE_DISTANCE)
+  {
+    // It is found exactly from a base nearby: from here, rounding must not bring it before a face
+    // that the ray passes first.
+    reach = behindFace(reach);
+  }
+  ray.end = min(reach, min(leave.x, min(leave.y, leave.z)));
   ray.unitsPerHalfCell = line.unitsPerHalfCell;
   return ray.begin < ray.end;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pieces of a pixel's line are marched, front to back. Today there is one, between two depths
-// and in the bounds. More of them (what clipping planes or a cropped box leave, layers of depth) are
+// Which pieces of a pixel's line are marched, front to back: what is left between two depths, in the
+// bounds, within the clipping planes and of the cropping regions. More of them (layers of depth) are
 // to be found here alone: whoever walks along the ray asks for one number after the other.
+#include "Clipping.glsl"
+#include "Cropping.glsl"
 
-const int SEGMENTS = 1; // the most that a ray may have
+const int SEGMENTS = cropped ? MOST_SHOWN : 1; // the most that a ray may have
 
 struct Segment
 {
@@ -14,7 +16,7 @@ struct Segment
   Pair end;
 };
 
-// The segment of that number. False: there is nothing of it.
+// The segment of that number. False: the ray has none of it, nor any behind.
 bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
 {
   const uint place = pixel.y * f.frame.width + pixel.x;
@@ -52,6 +54,14 @@ bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
   if (beginsAtDepth)
   {
     segment.begin = greater(segment.begin, distanceAt(f, segment.line, near));
+  }
+  if (clipped && !clip(f, segment.line, segment.begin, segment.end))
+  {
+    return false;
+  }
+  if (cropped && !crop(f, segment.line, number, segment.begin, segment.end))
+  {
+    return false;
   }
   return segment.begin.high <= exit && isLess(segment.begin, segment.end);
 }

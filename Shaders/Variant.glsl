@@ -6,8 +6,12 @@ layout(constant_id = 1) const bool beginsAtDepth = false;
 // Pixels are taken by a counter, in place of being dealt out with the groups: for drivers that deal
 // each thread one run of groups, as those of CPUs do, of which one may cost much more than another.
 layout(constant_id = 2) const bool takesPixels = false;
+// Clipping planes shorten the rays.
+layout(constant_id = 3) const bool clipped = false;
+// Cropping leaves several pieces of a ray.
+layout(constant_id = 4) const bool cropped = false;
 // How what lies along the ray becomes a colour (Blend.glsl).
-layout(constant_id = 3) const uint blending = BLENDING_COMPOSITE;
+layout(constant_id = 5) const uint blending = BLENDING_COMPOSITE;
 // The rest of what is seen is lit, and less opaque where the field changes little.
 layout(constant_id = 8) const bool isShaded = false;
 layout(constant_id = 9) const bool hasGradientOpacity = false;

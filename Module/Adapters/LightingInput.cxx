@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/LightingInput.h"
 
-#include "Adapters/MatrixInput.h"
+#include "Adapters/Matrices.h"
 #include "Layout.h"
 
 #include "vtkLight.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/PropertyInput.h"
 
+#include "Adapters/CutawayInput.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProperty.h"
@@ -100,6 +102,7 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
       ", which is not supported yet. Call SetBlendModeToComposite()";
     return requests;
   }
+  requests.refused = checkCutaway(mapper);
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
@@ -111,14 +114,6 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     without(
       "Replacements in VTK's shaders (vtkShaderProperty) are not supported yet: the volume is "
       "drawn without them.");
-  }
-  if (mapper->GetCropping())
-  {
-    without("Cropping is not supported yet: the volume is drawn whole.");
-  }
-  if (mapper->GetNumberOfClippingPlanes() > 0)
-  {
-    without("Clipping planes are not supported yet: the volume is drawn whole.");
   }
   if (property->GetColorChannels(0) == 3 && property->GetRGBTransferFunction(0)->GetIndexedLookup())
   {

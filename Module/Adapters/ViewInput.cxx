@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/ViewInput.h"
 
-#include "Adapters/MatrixInput.h"
+#include "Adapters/Matrices.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderWindow.h"

@@ -35,6 +35,7 @@ struct KnownSampling
       this->view.target.width == other.target.width &&
       this->view.target.height == other.target.height &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
+      this->view.cutaway == other.cutaway &&
       Alike(this->view.camera.ndcToHalfCells, other.camera.ndcToHalfCells, allowed) &&
       this->view.camera.halfCellsToData == other.camera.halfCellsToData &&
       this->depth.empty() == !other.target.depth &&

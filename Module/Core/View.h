@@ -4,6 +4,7 @@
 #define ExaBricksCoreView_h
 
 #include "Core/Blending.h"
+#include "Core/Cutaway.h"
 #include "Core/Lighting.h"
 
 #include <glm/mat3x3.hpp>
@@ -69,6 +70,7 @@ struct View
   Camera camera;
   Target target;
   Quality quality;
+  Cutaway cutaway;
   double opacityUnitDistance = 1.0; // length in the data's coordinates
   Blending blending = Blending::Composite;
   glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
@@ -84,7 +86,7 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.stepScale == b.quality.stepScale &&
     a.quality.errorTolerance == b.quality.errorTolerance &&
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
-    a.quality.terminationOpacity == b.quality.terminationOpacity &&
+    a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
     a.averageRange == b.averageRange && a.lighting == b.lighting;
 }

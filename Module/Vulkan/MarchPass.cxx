@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -14,14 +16,21 @@ namespace
 {
 layout::Pair makePair(double value)
 {
-  const float high = static_cast<float>(value);
+  // Volatile, as gcc 12 takes a double for its own float where it vectorises: low was 0.
+  const volatile float high = static_cast<float>(value);
   return { high, static_cast<float>(value - high) };
 }
 
 layout::Pair4 makePair(const glm::dvec4& value)
 {
-  const glm::vec4 high(value);
-  return { high, glm::vec4(value - glm::dvec4(high)) };
+  layout::Pair4 result;
+  for (int i = 0; i < 4; ++i)
+  {
+    const layout::Pair pair = makePair(value[i]);
+    result.high[i] = pair.high;
+    result.low[i] = pair.low;
+  }
+  return result;
 }
 
 struct Depths
@@ -99,6 +108,42 @@ void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dma
     to.exponent = static_cast<float>(from.exponent);
   }
 }
+
+static_assert(Cutaway::MostClippingPlanes == layout::MOST_CLIPPING_PLANES, "a frame has room");
+
+// A plane of half cells, of a normal of length 1.
+layout::Pair4 toPlane(const glm::dvec4& plane, const glm::dmat4& toHalfCells)
+{
+  glm::dvec4 result = plane * glm::inverse(toHalfCells);
+  result /= glm::length(glm::dvec3(result));
+  // So far off it cuts no bounds, wherever it is; and products of floats stay in their range.
+  result.w = std::clamp(result.w, -1e12, 1e12);
+  return makePair(result);
+}
+
+void fillCutaway(layout::Frame& frame, const Cutaway& cutaway, const glm::dmat4& fromHalfCells)
+{
+  frame.clippingPlaneCount = 0;
+  for (const glm::dvec4& plane : cutaway.clippingPlanes)
+  {
+    frame.clippingPlanes[frame.clippingPlaneCount++] = toPlane(plane, fromHalfCells);
+  }
+  if (cutaway.cropping)
+  {
+    // Lattices have common axes. Beside the bounds, planes at any distance, also at infinity,
+    // divide them the same way.
+    const glm::dvec3 scale(fromHalfCells[0].x, fromHalfCells[1].y, fromHalfCells[2].z);
+    const auto toPlanes = [&](const glm::dvec3& planes)
+    {
+      const glm::dvec3 there = scale * planes + glm::dvec3(fromHalfCells[3]);
+      const glm::dvec3 beside = glm::clamp(there, glm::dvec3(-1.0), glm::dvec3(frame.size) + 1.0);
+      return makePair(glm::dvec4(beside, 0.0));
+    };
+    frame.croppingLower = toPlanes(cutaway.cropping->lower);
+    frame.croppingUpper = toPlanes(glm::max(cutaway.cropping->lower, cutaway.cropping->upper));
+    frame.shownRegions = cutaway.cropping->shownRegions;
+  }
+}
 }
 
 void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalfCells)
@@ -136,6 +181,7 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.leastToAverage = static_cast<float>(view.averageRange.x);
   frame.mostToAverage = static_cast<float>(view.averageRange.y);
   frame.hasDepth = view.target.depth != nullptr;
+  fillCutaway(frame, view.cutaway, fromHalfCells);
 }
 }
 }

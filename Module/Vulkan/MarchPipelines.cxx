@@ -25,6 +25,8 @@ struct Constants
   vk::Bool32 takesPixels;
   vk::Bool32 isShaded;
   vk::Bool32 hasGradientOpacity;
+  vk::Bool32 clipped;
+  vk::Bool32 cropped;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -122,12 +124,14 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
   const vk::raii::ShaderModule shader(
     this->Owner->handle(), shaderFor(*this->Owner, variant.traversal, this->Shader));
   const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
-    variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity };
+    variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity,
+    variant.clipped, variant.cropped };
   const auto entry = [](std::uint32_t number, std::size_t offset)
   { return vk::SpecializationMapEntry(number, static_cast<std::uint32_t>(offset), 4); };
-  const std::array<vk::SpecializationMapEntry, 6> entries{
+  const std::array<vk::SpecializationMapEntry, 8> entries{
     entry(0, offsetof(Constants, reconstruction)), entry(1, offsetof(Constants, beginsAtDepth)),
-    entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, blending)),
+    entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, clipped)),
+    entry(4, offsetof(Constants, cropped)), entry(5, offsetof(Constants, blending)),
     entry(8, offsetof(Constants, isShaded)), entry(9, offsetof(Constants, hasGradientOpacity))
   };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);

@@ -21,12 +21,15 @@ struct MarchVariant
   bool beginsAtDepth = false;      // for views with a nearDepth
   bool shaded = false;             // for views with lighting
   bool hasGradientOpacity = false; // where opacity depends on the gradient
+  bool clipped = false;            // for views with clipping planes
+  bool cropped = false;            // for views with cropping
 };
 
 inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
-    variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity);
+    variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
+    variant.cropped);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

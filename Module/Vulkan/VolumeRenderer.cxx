@@ -173,6 +173,8 @@ struct VolumeRenderer::Internals
     const bool byAbsorption = view.blending == Blending::Composite;
     variant.shaded = byAbsorption && view.lighting.has_value();
     variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
+    variant.clipped = !view.cutaway.clippingPlanes.empty();
+    variant.cropped = view.cutaway.cropping.has_value();
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
@@ -404,6 +406,11 @@ std::string VolumeRenderer::render(
   {
     return "the volume's values do not fit the reconstruction: completed ones, with a layer around "
            "each brick, are for Completed alone";
+  }
+  if (view.cutaway.clippingPlanes.size() > Cutaway::MostClippingPlanes)
+  {
+    return "expected at most " + std::to_string(Cutaway::MostClippingPlanes) +
+      " clipping planes, found " + std::to_string(view.cutaway.clippingPlanes.size());
   }
   vulkan::DeviceSession& session = this->Data->Session;
   if (session.lostTwice() && !samePicture(view, this->Data->LostView))

@@ -8,8 +8,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkShaderProperty.h"
 #include "vtkStringArray.h"
 
@@ -63,19 +61,6 @@ int TestUnsupportedRequests(int, char*[])
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
     checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
   };
-  warnsOnce("Cropping",
-    [&]
-    {
-      mapper->CroppingOn();
-      mapper->SetCroppingRegionPlanes(2.0, 3.0, 2.0, 3.0, 2.0, 3.0);
-    });
-  warnsOnce("Clipping planes",
-    [&]
-    {
-      vtkNew<vtkPlane> plane;
-      plane->SetOrigin(4.0, 4.0, 4.0);
-      mapper->AddClippingPlane(plane);
-    });
   warnsOnce("2-D transfer functions",
     [&]
     {

@@ -13,13 +13,7 @@ namespace reference
 {
 namespace
 {
-// The part of the ray begin + t * (end - begin), 0 <= t <= 1, that lies in `box`.
-struct Span
-{
-  double begin = 0.0;
-  double end = 1.0;
-};
-
+// The part of the ray begin + t * direction, 0 <= t <= 1, that lies in a box.
 Span clip(const glm::dvec3& begin, const glm::dvec3& direction, const glm::dvec3& boxLo,
   const glm::dvec3& boxHi)
 {
@@ -69,6 +63,24 @@ public:
     }
     std::sort(this->Hits.begin(), this->Hits.end(),
       [](const auto& a, const auto& b) { return a.first.begin < b.first.begin; });
+  }
+
+  /// Leaves all out but these parts, which are in order.
+  void keep(const std::vector<Span>& parts)
+  {
+    std::vector<std::pair<Span, const Field::Leaf*>> kept;
+    for (const auto& hit : this->Hits)
+    {
+      for (const Span& part : parts)
+      {
+        const Span both{ std::max(hit.first.begin, part.begin), std::min(hit.first.end, part.end) };
+        if (both.begin < both.end)
+        {
+          kept.emplace_back(both, hit.second);
+        }
+      }
+    }
+    this->Hits = kept;
   }
 
   /// Of the part in leaf boxes, as a share of the whole.
@@ -268,7 +280,9 @@ Image Oracle::render(
     const double length = glm::distance(
       unproject(view.ndcToWorld, -1.0), unproject(view.ndcToWorld, 2.0 * depth - 1.0));
     const glm::dvec3 begin = unproject(view.ndcToLogical, -1.0);
-    Ray ray(*this, begin, unproject(view.ndcToLogical, 2.0 * depth - 1.0) - begin);
+    const glm::dvec3 direction = unproject(view.ndcToLogical, 2.0 * depth - 1.0) - begin;
+    Ray ray(*this, begin, direction);
+    ray.keep(view.cut.partsOf(begin, direction));
     RayIntegral integral(
       transfer, settings.opacityUnitDistance, settings.tolerance / (ray.lengthInside() * length));
     ray.integrate(settings.reconstruction, length, integral);

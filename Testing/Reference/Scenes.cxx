@@ -315,6 +315,25 @@ std::vector<Scene> allScenes()
   return scenes;
 }
 
+Scene repeatFarAway(const Scene& scene, std::int64_t distance)
+{
+  Scene pair = scene;
+  pair.name = scene.name + " and its copy far away";
+  for (std::size_t b = 0; b < scene.hierarchy.blocks.size(); ++b)
+  {
+    Block block = scene.hierarchy.blocks[b];
+    const Int3 shift(distance / scene.hierarchy.cellWidth[block.level]);
+    block.cells.lo += shift;
+    block.cells.hi += shift;
+    pair.hierarchy.blocks.push_back(block);
+    pair.cells.blocks.push_back(block.cells);
+    pair.cells.values.push_back(scene.cells.values[b]);
+    pair.cells.duplicates.push_back(
+      b < scene.cells.duplicates.size() ? scene.cells.duplicates[b] : std::vector<unsigned char>());
+  }
+  return pair;
+}
+
 Hierarchy randomHierarchy(std::uint32_t seed)
 {
   Random random(seed);

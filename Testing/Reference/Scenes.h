@@ -67,6 +67,10 @@ Scene holes();         // missing blocks and absent cells
 Scene partlyCovered(); // fine blocks that end inside coarse cells
 std::vector<Scene> allScenes();
 
+/// Two copies of a scene, so many finest cells apart along each axis: the second one's coordinates
+/// are large, counted from the corner of the bounds.
+Scene repeatFarAway(const Scene& scene, std::int64_t distance);
+
 /// 1 to 4 levels, ratios 2, 3 and 4, at most about 50 finest cells along an axis, on negative and
 /// positive coordinates; with missing blocks, blocks that skip a level, misaligned blocks that
 /// cover coarse cells in part, and overlapping blocks of one level.

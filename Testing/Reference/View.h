@@ -4,6 +4,7 @@
 #define ExaBricksReferenceView_h
 
 #include "Core/Hierarchy.h"
+#include "Reference/Cut.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -20,6 +21,7 @@ struct View
   int width = 0;
   int height = 0;
   std::vector<float> depth; // window depth in [0, 1] where rays end, per pixel; empty: at z = 1
+  Cut cut;
 };
 
 /// Logical to world coordinates.

@@ -68,6 +68,16 @@ struct SceneRenderer
     view.blending = this->blending;
     view.averageRange = this->averageRange;
     view.lighting = this->lighting;
+    for (const glm::dvec4& plane : from.cut.planes)
+    {
+      view.cutaway.clippingPlanes.push_back(plane * glm::inverse(toHalfCells));
+    }
+    if (from.cut.cropped)
+    {
+      const glm::dvec3 corner(this->structure.tree.bounds.lo);
+      view.cutaway.cropping = Cropping{ 2.0 * (from.cut.lower - corner),
+        2.0 * (from.cut.upper - corner), from.cut.shownRegions };
+    }
     return view;
   }
 

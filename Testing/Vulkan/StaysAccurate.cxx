@@ -9,36 +9,12 @@
 
 using namespace exabricks;
 
-namespace
-{
-// Two copies of a scene, 2^20 finest cells apart along each axis: the second one's coordinates are
-// large, counted from the corner of the bounds.
-reference::Scene makeFarApart(const reference::Scene& scene, std::int64_t distance)
-{
-  reference::Scene pair = scene;
-  pair.name = scene.name + " and its copy far away";
-  for (std::size_t b = 0; b < scene.hierarchy.blocks.size(); ++b)
-  {
-    Block block = scene.hierarchy.blocks[b];
-    const Int3 shift(distance / scene.hierarchy.cellWidth[block.level]);
-    block.cells.lo += shift;
-    block.cells.hi += shift;
-    pair.hierarchy.blocks.push_back(block);
-    pair.cells.blocks.push_back(block.cells);
-    pair.cells.values.push_back(scene.cells.values[b]);
-    pair.cells.duplicates.push_back(
-      b < scene.cells.duplicates.size() ? scene.cells.duplicates[b] : std::vector<unsigned char>());
-  }
-  return pair;
-}
-}
-
 TEST(StaysAccurate, AtLogicalCoordinatesOfTwoToTheTwenty)
 {
   const reference::Scene scene = reference::twoLevels();
   constexpr std::int64_t distance = std::int64_t(1) << 20;
   SceneRenderer near(scene);
-  SceneRenderer far(makeFarApart(scene, distance));
+  SceneRenderer far(reference::repeatFarAway(scene, distance));
   for (const glm::dvec3 direction : { glm::dvec3(-0.6, 0.5, -0.4), glm::dvec3(1.0, -1.0, 0.1) })
   {
     const reference::View view = near.look(direction, 30.0);
@@ -65,7 +41,7 @@ TEST(StaysAccurate, ThroughTwoToTheTwentyCellsOfEmptySpace)
 {
   // Parallel rays along the diagonal pass the first copy's side, and hit the second 2^20 cells on.
   const reference::Scene scene = reference::twoLevels();
-  SceneRenderer pair(makeFarApart(scene, std::int64_t(1) << 20));
+  SceneRenderer pair(reference::repeatFarAway(scene, std::int64_t(1) << 20));
   SceneRenderer one(scene);
   const reference::View view = one.look({ 1.0, 1.0, 1.0 }, 0.0);
   // The same rays, begun at the first copy and ended behind the second: a camera at both.

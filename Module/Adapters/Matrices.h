@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's matrices as GLM has them.
-#ifndef ExaBricksAdaptersMatrixInput_h
-#define ExaBricksAdaptersMatrixInput_h
+// VTK's matrices as those of GLM.
+#ifndef ExaBricksAdaptersMatrices_h
+#define ExaBricksAdaptersMatrices_h
 
 #include "vtkMatrix4x4.h"
 
@@ -22,6 +22,7 @@ inline glm::dmat4 toGLM(vtkMatrix4x4* matrix)
   }
   return result;
 }
+
 }
 
 #endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a mapper's clipping planes, in world coordinates, and its cropping, in those of the data, to
+// what is cut away of its volume.
+#ifndef ExaBricksAdaptersCutawayInput_h
+#define ExaBricksAdaptersCutawayInput_h
+
+#include "Adapters/BrickedVolume.h"
+#include "Core/Cutaway.h"
+
+class vtkVolume;
+class vtkVolumeMapper;
+
+namespace exabricks
+{
+/// Why nothing can be cut as the mapper asks for; empty if it can.
+std::string checkCutaway(vtkVolumeMapper* mapper);
+
+/// What it asks for, where that can be done.
+Cutaway makeCutaway(vtkVolumeMapper* mapper, vtkVolume* volume, const BrickedVolume& bricked);
+}
+
+#endif
