@@ -84,7 +84,7 @@ struct Mappers : test::Stage
   vtkNew<vtkFixedPointVolumeRayCastMapper> fixedPoint;
   vtkNew<vtkGPUVolumeRayCastMapper> onGPU;
 
-  explicit Mappers(const Scene& scene, int size = 200)
+  explicit Mappers(const Scene& scene, int size = 120)
     : Stage(makeAMR(scene), size)
   {
     const auto image = makeImage(scene);
