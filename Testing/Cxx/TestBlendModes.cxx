@@ -95,7 +95,7 @@ int TestBlendModes(int, char*[])
   test::Stage smooth(
     test::makeAMR(test::cornerRefined(),
       [](double x, double y, double z) { return std::sin(x) * std::cos(1.3 * y) + 0.1 * z; }),
-    100);
+    50);
   test::setRamp(smooth.Property(), -1.0, 1.8);
   smooth.renderer->ResetCamera();
   for (const int mode : { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,

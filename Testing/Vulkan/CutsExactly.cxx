@@ -46,7 +46,7 @@ std::vector<glm::dvec4> turnedBox(const SceneRenderer& subject)
 void expectMatch(SceneRenderer& subject, double viewAngle, const reference::Cut& cut, double bound,
   const std::string& what)
 {
-  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, viewAngle);
+  reference::View view = subject.look({ -0.6, 0.5, -0.4 }, viewAngle, 48);
   const reference::Image whole = subject.render(view);
   view.cut = cut;
   const reference::Image truth = subject.renderOracle(view);

@@ -15,7 +15,7 @@ using namespace exabricks;
 
 namespace
 {
-constexpr int Pixels = 40;
+constexpr int Pixels = 30;
 
 TransferFunction fog()
 {
