@@ -20,7 +20,7 @@ const struct
   const char* instead;
 } expectedToMatter[] = {
   { "Opacity", "lower the opacity function, or lengthen OpacityUnitDistance" },
-  { "Shade", "this representation does not shade yet" },
+  { "Shade", "switch Shading on" },
   { "MapScalars", "values are always mapped to colors" },
   { "MultiComponentsMapping", "choose a component or the magnitude in the color map" },
   { "BlockSelectors", "all blocks are drawn" },

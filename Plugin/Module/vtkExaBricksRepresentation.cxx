@@ -60,7 +60,6 @@ vtkExaBricksRepresentation::vtkExaBricksRepresentation()
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Property->IndependentComponentsOn();
-  // The type of a new property is nearest, of which the mapper would warn.
   this->Property->SetInterpolationTypeToLinear();
   this->Volume->AddObserver(
     vtkCommand::EndEvent, this, &vtkExaBricksRepresentation::UpdateStatistics);
@@ -280,10 +279,14 @@ void vtkExaBricksRepresentation::SetScalarOpacityUnitDistance(double distance)
   this->Property->SetScalarOpacityUnitDistance(distance);
 }
 
+void vtkExaBricksRepresentation::SetShading(bool shading) { this->Property->SetShade(shading); }
+
 void vtkExaBricksRepresentation::SetReconstruction(int reconstruction)
 {
   this->Mapper->SetReconstruction(reconstruction);
 }
+
+void vtkExaBricksRepresentation::SetBlendMode(int mode) { this->Mapper->SetBlendMode(mode); }
 
 void vtkExaBricksRepresentation::SetStepScale(double scale) { this->Mapper->SetStepScale(scale); }
 

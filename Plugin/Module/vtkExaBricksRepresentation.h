@@ -59,6 +59,7 @@ public:
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
   void SetScalarOpacityUnitDistance(double distance);
+  void SetShading(bool shading);
   ///@}
 
   ///@{
@@ -67,6 +68,7 @@ public:
    * not used.
    */
   void SetReconstruction(int reconstruction);
+  void SetBlendMode(int mode);
   void SetStepScale(double scale);
   void SetErrorTolerance(double tolerance);
   void SetTraversal(int traversal);

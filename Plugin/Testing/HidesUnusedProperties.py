@@ -38,7 +38,7 @@ unused = ["Opacity", "MapScalars", "InterpolateScalarsBeforeMapping", "PointSize
           "VolumeRenderingMode", "ScalarOpacityUnitDistance", "OSPRayMaterial", "Triangulate"]
 position = "Translation" if "Translation" in display.ListProperties() else "Position"  # from 5.13 on
 used = ["ColorArrayName", "LookupTable", position, "Scale", "Orientation", "Origin", "Pickable", "OpacityUnitDistance",
-        "Reconstruction", "ErrorTolerance", "StepScale", "DataAxesGrid", "PolarAxes"]
+        "Reconstruction", "BlendMode", "Shading", "ErrorTolerance", "StepScale", "DataAxesGrid", "PolarAxes"]
 for name in unused:
     assert not is_shown(name, "ExaBricks"), name
 for name in used:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PlainPicture <picture.png> <leaf cells> <width> <height> <unit distance> <reconstruction>
-// <position> <focal point> <view up> (three numbers each) <angle>
+// <position> <focal point> <view up> (three numbers each) <angle> <blend mode>
 //
 // The scene Exajet-wing through plain VTK, without ParaView, with the transfer function of
 // Support.py: what the picture through ParaView is compared with.
@@ -24,9 +24,9 @@
 
 int main(int argc, char** argv)
 {
-  if (argc != 17)
+  if (argc != 18)
   {
-    std::cerr << "expected 16 arguments, found " << argc - 1 << "\n";
+    std::cerr << "expected 17 arguments, found " << argc - 1 << "\n";
     return EXIT_FAILURE;
   }
   std::vector<double> values;
@@ -43,6 +43,7 @@ int main(int argc, char** argv)
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectScalarArray("value");
   mapper->SetReconstruction(static_cast<int>(values[4]));
+  mapper->SetBlendMode(static_cast<int>(values[15]));
 
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, 0.1, 0.2, 0.8);

@@ -76,10 +76,10 @@ def picture(view, name, **options):
     return read_picture(name + ".png")
 
 
-def plain_vtk_picture(view, name, width, height, unit_distance, reconstruction=0):
+def plain_vtk_picture(view, name, width, height, unit_distance, reconstruction=0, blend_mode=0):
     """What PlainPicture.cxx draws of the same scene with the camera of `view`."""
     numbers = [CELLS, width, height, unit_distance, reconstruction]
-    numbers += [*view.CameraPosition, *view.CameraFocalPoint, *view.CameraViewUp, view.CameraViewAngle]
+    numbers += [*view.CameraPosition, *view.CameraFocalPoint, *view.CameraViewUp, view.CameraViewAngle, blend_mode]
     command = [os.environ["EXABRICKS_PLAIN_PICTURE"], name + ".png", *(repr(number) for number in numbers)]
     subprocess.run(command, check=True)
     return read_picture(name + ".png")

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Blend modes are those of plain VTK, and shading follows the view's lights."""
+
+from Support import *
+
+load_plugin()
+collector = Collector()
+scene = make_scene()
+view = make_view()
+display = show(scene, view)
+look_at(scene, view)
+display.OpacityUnitDistance = 8.0
+flat = picture(view, "flat")
+
+modes = ["Composite", "Maximum Intensity", "Minimum Intensity", "Average Intensity", "Additive"]
+pictures = {}
+for number, mode in enumerate(modes):
+    display.BlendMode = mode
+    pictures[mode] = picture(view, f"mode{number}")
+    plain = plain_vtk_picture(view, f"plain{number}", 240, 180, display.OpacityUnitDistance, 0, number)
+    expect_alike(pictures[mode], plain, 50.0, mode)
+for mode in modes[1:]:
+    assert decibel(pictures[mode], flat) < 35.0, mode
+
+display.BlendMode = "Composite"
+display.Shading = 1
+shaded = picture(view, "shaded")
+assert decibel(shaded, flat) < 35.0, decibel(shaded, flat)
+display.Shading = 0
+expect_alike(picture(view, "flatAgain"), flat, 60.0, "without shading again")
+collector.expect_silence()
