@@ -217,6 +217,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
     view.blending = exabricks::findBlending(this->Self);
     view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
+    view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
     view.lighting = exabricks::makeLighting(ren, vol, bricked);
     return view;
   };

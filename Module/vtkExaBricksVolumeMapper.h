@@ -19,11 +19,12 @@
  *
  * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar
  * opacity and its unit distance, a length in the data's own coordinates, before the volume's
- * matrix, the interpolation type, gradient opacity, and shading by all lights of the renderer, both
- * with the composite blend mode. Blend modes: composite, maximum, minimum and average intensity,
- * additive. It says so when it is asked for what it does not do yet: iso-surfaces, slices and
- * dependent components such as RGBA (an error, nothing is drawn); 2-D transfer functions, several
- * independent components and their weights, colours of categories (a warning, drawn without).
+ * matrix, the interpolation type, gradient opacity with the blend mode composite, and shading by
+ * all lights of the renderer with composite and iso-surface. Blend modes: composite, maximum,
+ * minimum and average intensity, additive, and iso-surface with up to 16 values. It says so when it
+ * is asked for what it does not do yet: slices and dependent components such as RGBA (an error,
+ * nothing is drawn); 2-D transfer functions, several independent components and their weights,
+ * colours of categories (a warning, drawn without).
  *
  * Clipping planes (AddClippingPlane(), SetClippingPlanes()) are in world coordinates and leave what
  * lies along their normals; with more than 32 of them, or one without a direction, nothing is

@@ -21,7 +21,7 @@ bool isComplete(Accumulator gathered)
   {
     return blending == BLENDING_MAXIMUM ? gathered.value >= 1.0 : gathered.value <= 0.0;
   }
-  return isComposite && gathered.color.a >= terminationOpacity;
+  return (isComposite || isIsosurface) && gathered.color.a >= terminationOpacity;
 }
 
 // How much longer intervals may be: an error behind what is opaque is seen less.
@@ -80,7 +80,7 @@ void addSamples(float first, float middle, float last, inout Accumulator gathere
 // Premultiplied red, green, blue, opacity.
 vec4 toPixel(Accumulator gathered)
 {
-  return isExtremum ? colorOfExtremum(gathered)
-    : isComposite   ? gathered.color
-                    : colorOfSum(gathered);
+  return isExtremum               ? colorOfExtremum(gathered)
+    : isComposite || isIsosurface ? gathered.color
+                                  : colorOfSum(gathered);
 }

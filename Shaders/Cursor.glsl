@@ -56,6 +56,10 @@ void enterRegion(
     // The field is continuous: the last point of the region before is the first of this one.
     cursor.known = cursor.known && cursor.exit == entry;
   }
+  else if (isIsosurface)
+  {
+    cursor.known = cursor.known && cursor.exit == entry; // the value of the cell before
+  }
   cursor.entry = entry;
   cursor.exit = exit;
 }

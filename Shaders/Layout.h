@@ -54,6 +54,8 @@ EXABRICKS_CONST uint BLENDING_MAXIMUM = 1u;
 EXABRICKS_CONST uint BLENDING_MINIMUM = 2u;
 EXABRICKS_CONST uint BLENDING_AVERAGE = 3u;
 EXABRICKS_CONST uint BLENDING_ADDITIVE = 4u;
+EXABRICKS_CONST uint BLENDING_ISOSURFACE = 5u;
+EXABRICKS_CONST uint MOST_ISO_VALUES = 16u;
 
 // A box of cells of one level. 32 bytes.
 struct Brick
@@ -207,6 +209,10 @@ struct Frame
   uint unusedToo;
   Light lights[MOST_LIGHTS];
 
+  float isoValues[MOST_ISO_VALUES]; // normalised, ascending
+  uint isoValueCount;
+  uint unusedHere;
+
   // A place in half cells is left where its product with each plane, (x, y, z, 1) . plane, is not
   // below 0. xyz are of length 1.
   Pair4 clippingPlanes[MOST_CLIPPING_PLANES];
@@ -251,8 +257,8 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2104 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
-static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1008,
+  sizeof(Frame) == 2176 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
+static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1080,
   "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks

@@ -36,6 +36,7 @@
 
 // The march.
 #include "Cursor.glsl"
+#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

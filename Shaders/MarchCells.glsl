@@ -7,6 +7,18 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   float end = cursor.exit;
   if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
   {
+    if (isIsosurface)
+    {
+      if (cursor.known)
+      {
+        addSurfaces(cursor, ray, cursor.entry, end, cursor.value, value, gathered);
+      }
+      cursor.value = value;
+      cursor.known = true;
+      cursor.entry = end;
+      cursor.intervals = end < cursor.exit ? 1 : 0;
+      return;
+    }
     const float middle = 0.5 * (cursor.entry + end);
     vec3 gradient = vec3(0.0);
     if (needsGradient)
@@ -15,6 +27,10 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     }
     addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
       spotAt(ray, cursor.brick, middle, gradient), gathered);
+  }
+  else
+  {
+    cursor.known = false;
   }
   cursor.entry = end;
   cursor.intervals = end < cursor.exit ? 1 : 0;

@@ -55,6 +55,15 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     {
       addSamples(last, middle, value, gathered);
     }
+    if (isIsosurface && !first)
+    {
+      const float between = count == 2 ? cursor.entry + 0.5 * length : end;
+      addSurfaces(cursor, ray, cursor.entry, between, last, count == 2 ? middle : value, gathered);
+      if (count == 2)
+      {
+        addSurfaces(cursor, ray, between, end, middle, value, gathered);
+      }
+    }
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
     const float units = length / float(count) * ray.unitsPerHalfCell;
@@ -65,7 +74,10 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
       const Spot spot = spotAt(ray, cursor.brick,
         cursor.entry + (float(k) - 0.5) / float(count) * length,
         0.5 * (cursor.gradient + nextGradient));
-      addInterval(cursor.value, next, units, first, spot, gathered);
+      if (!isIsosurface)
+      {
+        addInterval(cursor.value, next, units, first, spot, gathered);
+      }
       cursor.value = next;
       cursor.gradient = nextGradient;
     }

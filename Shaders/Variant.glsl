@@ -20,4 +20,6 @@ const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
 const bool isComposite = blending == BLENDING_COMPOSITE;
 const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
-const bool needsGradient = isShaded || hasGradientOpacity;
+const bool isIsosurface = blending == BLENDING_ISOSURFACE;
+// At each sample; surfaces have theirs.
+const bool needsGradient = (isShaded || hasGradientOpacity) && !isIsosurface;

@@ -3,7 +3,10 @@
 
 #include "Adapters/CutawayInput.h"
 
+#include "Layout.h"
+
 #include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProperty.h"
 #include "vtkVolume.h"
@@ -93,16 +96,25 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     "average intensity", "additive", "iso-surface", "slice" };
   Requests requests;
   const int mode = mapper->GetBlendMode();
-  if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::ADDITIVE_BLEND)
+  if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
     requests.refused = std::string("expected blend mode composite, maximum, minimum or average "
-                                   "intensity, or additive, found ") +
+                                   "intensity, additive or iso-surface, found ") +
       (known ? blendModes[mode] : std::to_string(mode).c_str()) +
       ", which is not supported yet. Call SetBlendModeToComposite()";
     return requests;
   }
   requests.refused = checkCutaway(mapper);
+  const int isoValues = property->GetIsoSurfaceValues()->GetNumberOfContours();
+  if (mode == vtkVolumeMapper::ISOSURFACE_BLEND &&
+    (isoValues < 1 || isoValues > static_cast<int>(layout::MOST_ISO_VALUES)))
+  {
+    requests.refused = "expected 1 to " + std::to_string(layout::MOST_ISO_VALUES) +
+      " iso-values for blend mode iso-surface, found " + std::to_string(isoValues) +
+      ". Call GetIsoSurfaceValues()->SetValue() of the volume property";
+    return requests;
+  }
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
@@ -146,6 +158,8 @@ Blending findBlending(vtkVolumeMapper* mapper)
       return Blending::Average;
     case vtkVolumeMapper::ADDITIVE_BLEND:
       return Blending::Additive;
+    case vtkVolumeMapper::ISOSURFACE_BLEND:
+      return Blending::Isosurface;
     default:
       return Blending::Composite;
   }
@@ -155,6 +169,19 @@ glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range)
 {
   const double* values = mapper->GetAverageIPScalarRange();
   return { range.normalize(values[0]), range.normalize(values[1]) };
+}
+
+std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range)
+{
+  vtkContourValues* from = property->GetIsoSurfaceValues();
+  std::vector<double> values;
+  for (int i = 0; i < from->GetNumberOfContours(); ++i)
+  {
+    values.push_back(range.normalize(from->GetValue(i)));
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
 
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)

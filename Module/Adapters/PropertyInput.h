@@ -44,6 +44,8 @@ Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settin
 /// count for the average, over `range` of the array's values.
 Blending findBlending(vtkVolumeMapper* mapper);
 glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range);
+/// Of the property, over `range`, in ascending order, each once.
+std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range);
 
 /// Colour and opacity of component 0, over `range` of the array's values.
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range);

@@ -88,8 +88,8 @@ TransferFunction findLookup(
   return TransferFunction(points);
 }
 
-TransferFunction findVisibility(
-  const TransferFunction& transfer, Blending blending, const glm::dvec2& averageRange)
+TransferFunction findVisibility(const TransferFunction& transfer, Blending blending,
+  const glm::dvec2& averageRange, const std::vector<double>& isoValues)
 {
   const glm::dvec4 shown(1.0);
   const glm::dvec4 hidden(0.0);
@@ -104,6 +104,22 @@ TransferFunction findVisibility(
       }
       return TransferFunction({ { averageRange.x, hidden }, { averageRange.x, shown },
         { justAbove(averageRange.y), shown }, { justAbove(averageRange.y), hidden } });
+    case Blending::Isosurface:
+    {
+      std::vector<Point> points;
+      for (const double value : isoValues)
+      {
+        // Where the field only reaches the value, rounding may pass it.
+        for (const Point& point : { Point{ value - 1e-6, hidden }, Point{ value - 1e-6, shown },
+               Point{ value + 1e-6, shown }, Point{ value + 1e-6, hidden } })
+        {
+          points.push_back(point);
+        }
+      }
+      std::stable_sort(points.begin(), points.end(),
+        [](const Point& a, const Point& b) { return a.value < b.value; });
+      return TransferFunction(points);
+    }
     default:
       return TransferFunction({ { 0.0, shown } });
   }

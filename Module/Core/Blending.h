@@ -16,7 +16,8 @@ enum class Blending
   Maximum,   // colour and opacity of the greatest value, at whatever length
   Minimum,   // and of the least
   Average,   // grey: the mean of o(v) v over the length on which v lies in a range; opaque
-  Additive   // grey: the integral of o(v) v over length in unit distances; opaque
+  Additive,  // grey: the integral of o(v) v over length in unit distances; opaque
+  Isosurface // surfaces of some values, of their colour and opacity
 };
 
 /// The function that is looked up along a ray. `averageRange`: normalised values that count for
@@ -24,9 +25,9 @@ enum class Blending
 TransferFunction findLookup(
   const TransferFunction& transfer, Blending blending, const glm::dvec2& averageRange);
 
-/// One that is visible where a value matters to the picture.
-TransferFunction findVisibility(
-  const TransferFunction& transfer, Blending blending, const glm::dvec2& averageRange);
+/// One that is visible where a value matters to the picture. `isoValues`: normalised, ascending.
+TransferFunction findVisibility(const TransferFunction& transfer, Blending blending,
+  const glm::dvec2& averageRange, const std::vector<double>& isoValues);
 }
 
 #endif

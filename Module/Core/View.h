@@ -74,6 +74,7 @@ struct View
   double opacityUnitDistance = 1.0; // length in the data's coordinates
   Blending blending = Blending::Composite;
   glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
+  std::vector<double> isoValues;       // normalised, ascending, for Blending::Isosurface
   std::optional<Lighting> lighting;    // none: colours are those of the transfer function
 };
 
@@ -88,7 +89,7 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
-    a.averageRange == b.averageRange && a.lighting == b.lighting;
+    a.averageRange == b.averageRange && a.isoValues == b.isoValues && a.lighting == b.lighting;
 }
 }
 

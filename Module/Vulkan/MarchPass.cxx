@@ -179,6 +179,9 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.stepScale = static_cast<float>(view.quality.stepScale);
   frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
   frame.leastToAverage = static_cast<float>(view.averageRange.x);
+  frame.isoValueCount = static_cast<std::uint32_t>(
+    std::min<std::size_t>(view.isoValues.size(), layout::MOST_ISO_VALUES));
+  std::copy_n(view.isoValues.begin(), frame.isoValueCount, frame.isoValues);
   frame.mostToAverage = static_cast<float>(view.averageRange.y);
   frame.hasDepth = view.target.depth != nullptr;
   fillCutaway(frame, view.cutaway, fromHalfCells);

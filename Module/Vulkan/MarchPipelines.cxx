@@ -54,6 +54,8 @@ std::uint32_t numberOf(Blending blending)
       return layout::BLENDING_AVERAGE;
     case Blending::Additive:
       return layout::BLENDING_ADDITIVE;
+    case Blending::Isosurface:
+      return layout::BLENDING_ISOSURFACE;
     default:
       return layout::BLENDING_COMPOSITE;
   }

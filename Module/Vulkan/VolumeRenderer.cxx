@@ -22,6 +22,8 @@ struct VolumeRenderer::Internals
   // And with the last view: what is looked up and what shows depend on it.
   Blending Blended = Blending::Composite;
   glm::dvec2 AverageRange{ 0.0, 1.0 };
+  std::vector<double> IsoValues;
+  bool SurfacesOfCells = false;
   TransferFunction Visibility;
 
   // What is on the device. Rebuilt from the above when the device was lost.
@@ -171,7 +173,8 @@ struct VolumeRenderer::Internals
     variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
     const bool byAbsorption = view.blending == Blending::Composite;
-    variant.shaded = byAbsorption && view.lighting.has_value();
+    variant.shaded =
+      (byAbsorption || view.blending == Blending::Isosurface) && view.lighting.has_value();
     variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
@@ -244,10 +247,17 @@ struct VolumeRenderer::Internals
   {
     const glm::dvec2 range =
       view.blending == Blending::Average ? view.averageRange : this->AverageRange;
-    if (view.blending != this->Blended || range != this->AverageRange)
+    const std::vector<double>& isoValues =
+      view.blending == Blending::Isosurface ? view.isoValues : this->IsoValues;
+    const bool ofCells = view.quality.reconstruction == Reconstruction::Nearest;
+    if (view.blending != this->Blended || range != this->AverageRange ||
+      isoValues != this->IsoValues ||
+      (view.blending == Blending::Isosurface && ofCells != this->SurfacesOfCells))
     {
       this->Blended = view.blending;
       this->AverageRange = range;
+      this->IsoValues = isoValues;
+      this->SurfacesOfCells = ofCells;
       this->Colors.reset();
       this->ForgetChoice();
       this->UpdateVisibility();
@@ -256,7 +266,13 @@ struct VolumeRenderer::Internals
 
   void UpdateVisibility()
   {
-    TransferFunction visibility = findVisibility(this->Transfer, this->Blended, this->AverageRange);
+    // Where values are those of cells, a surface lies at a face between two of them, of which
+    // either may be in a region that does not reach the surface's value: all regions count.
+    const Blending blending = this->Blended == Blending::Isosurface && this->SurfacesOfCells
+      ? Blending::Maximum
+      : this->Blended;
+    TransferFunction visibility =
+      findVisibility(this->Transfer, blending, this->AverageRange, this->IsoValues);
     if (this->Weights || !visibility.showsTheSame(this->Visibility))
     {
       this->InvalidateSelection();

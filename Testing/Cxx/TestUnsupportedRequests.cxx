@@ -21,9 +21,7 @@ int TestUnsupportedRequests(int, char*[])
   vtkExaBricksVolumeMapper* mapper = stage.mapper;
   const double drawn = test::opacityOf(0.5, 8.0);
 
-  const std::pair<int, const char*> modes[] = {
-    { vtkVolumeMapper::ISOSURFACE_BLEND, "iso-surface" }, { vtkVolumeMapper::SLICE_BLEND, "slice" }
-  };
+  const std::pair<int, const char*> modes[] = { { vtkVolumeMapper::SLICE_BLEND, "slice" } };
   for (const auto& mode : modes)
   {
     mapper->SetBlendMode(mode.first);

@@ -38,6 +38,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 #define enterRegion enterUncounted
 #define marchOn marchUncounted
 #include "Cursor.glsl"
+#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

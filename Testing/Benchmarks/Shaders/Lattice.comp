@@ -26,6 +26,7 @@
 #define enterRegion enterRegionAndFit
 #define marchOn marchFitted
 #include "Cursor.glsl"
+#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

@@ -25,6 +25,7 @@
 #include "Blend.glsl"
 #define enterRegion enterRegionForMeans
 #include "Cursor.glsl"
+#include "Isosurface.glsl"
 #undef enterRegion
 #include "MarchIntervals.glsl"
 
