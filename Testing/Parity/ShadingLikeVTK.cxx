@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes are lit as with VTK's mappers: by the headlight, with each kind of material, and by
+// lights of the scene. The fixed-point mapper is like both others where light is diffuse alone: it
+// leaves ambient out, and takes coloured lights otherwise.
+
+#include "Parity.h"
+
+#include "vtkLight.h"
+
+int ShadingLikeVTK(int, char*[])
+{
+  test::Checks checks;
+  test::KeepDisplay display;
+  parity::Mappers mappers({ { 24, 24, 24 }, {}, parity::ball });
+  mappers.ShowBall();
+  vtkVolumeProperty* property = mappers.Property();
+  const test::Picture flat = mappers.Draw(mappers.mapper);
+  property->ShadeOn();
+
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
+  mappers.ExpectSame(checks, "diffuse");
+  checks.Expect(flat.Decibel(mappers.Draw(mappers.mapper)) < 30.0, "it is shaded");
+  property->SetDiffuse(0.5);
+  property->SetAmbient(0.4);
+  mappers.ExpectSameAsOnGPU(checks, "ambient and diffuse");
+  property->SetSpecular(0.4);
+  property->SetSpecularPower(12.0);
+  mappers.ExpectSameAsOnGPU(checks, "specular");
+
+  // A light from the side. VTK's GPU mapper leaves ambient out then, as a light's ambient colour is
+  // black by default; geometry does not, and ours does as geometry.
+  property->SetAmbient(0.0);
+  property->SetSpecular(0.0);
+  property->SetDiffuse(0.9);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(-60.0, -20.0, 40.0);
+  light->SetFocalPoint(12.0, 12.0, 12.0);
+  light->SetDiffuseColor(1.0, 0.8, 0.6);
+  mappers.renderer->AddLight(light);
+  mappers.ExpectSameAsOnGPU(checks, "a light of the scene");
+  return checks.Status();
+}
