@@ -3,6 +3,24 @@
 // al. 2020, section 3). Within a brick the tents add up to trilinear interpolation times the tent of
 // the distance from the box of cell centres.
 
+// The values of the eight cells around `c`, in cells from the lower corner's centre and within the box
+// of cell centres, n along each axis; and where c lies among them.
+vec3 readCells(Brick brick, uvec3 n, vec3 c, out vec4 lower, out vec4 upper)
+{
+  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
+  const uvec3 i = toIndex(corner);
+  const uint dx = n.x > 1u ? 1u : 0u;
+  const uint dy = n.y > 1u ? n.x : 0u;
+  const uint dz = n.z > 1u ? n.x * n.y : 0u;
+  const uint at = i.x + n.x * (i.y + n.y * i.z);
+  Values values = Values(brick.values);
+  lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
+    values.items[at + dy + dx]);
+  upper = vec4(values.items[at + dz], values.items[at + dz + dx],
+    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  return c - corner;
+}
+
 // Adds a brick's tents at `q`, in cells from its lower corner.
 void addBasis(Brick brick, vec3 q, inout float sum, inout float weight)
 {
@@ -15,18 +33,9 @@ void addBasis(Brick brick, vec3 q, inout float sum, inout float weight)
   {
     return;
   }
-  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
-  const uvec3 i = toIndex(corner);
-  const vec3 f = c - corner;
-  const uint dx = n.x > 1u ? 1u : 0u;
-  const uint dy = n.y > 1u ? n.x : 0u;
-  const uint dz = n.z > 1u ? n.x * n.y : 0u;
-  const uint at = i.x + n.x * (i.y + n.y * i.z);
-  Values values = Values(brick.values);
-  const vec4 lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
-    values.items[at + dy + dx]);
-  const vec4 upper = vec4(values.items[at + dz], values.items[at + dz + dx],
-    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  vec4 lower;
+  vec4 upper;
+  const vec3 f = readCells(brick, n, c, lower, upper);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
     sum += w * interpolate(lower, upper, f);

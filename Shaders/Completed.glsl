@@ -3,6 +3,19 @@
 // basis; T_l interpolates all eight lattice points of the level around the point, those too that are
 // none of its leaf cells. Bricks of a level agree on T_l, so each adds it with its own tents' weight.
 
+// The values of the eight lattice points from `i` on, -1 to n - 1.
+void readLattice(Brick brick, uvec3 n, vec3 i, out vec4 lower, out vec4 upper)
+{
+  const uint dy = n.x + 2u;
+  const uint dz = dy * (n.y + 2u);
+  const uint at = placeOf(n, ivec3(i));
+  Values values = Values(brick.values);
+  lower =
+    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
+  upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
+    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+}
+
 // Adds a brick's part at `q`, in cells from its lower corner.
 void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
 {
@@ -16,14 +29,9 @@ void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
   }
   const vec3 i = floor(q); // -1 to n - 1
   const vec3 f = q - i;
-  const uint dy = n.x + 2u;
-  const uint dz = dy * (n.y + 2u);
-  const uint at = placeOf(n, ivec3(i));
-  Values values = Values(brick.values);
-  const vec4 lower =
-    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
-  const vec4 upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
-    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+  vec4 lower;
+  vec4 upper;
+  readLattice(brick, n, i, lower, upper);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
     sum += w * interpolate(lower, upper, f);

@@ -51,18 +51,9 @@ void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
     return;
   }
   const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
-  const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
-  const uvec3 i = toIndex(corner);
-  const vec3 f = c - corner;
-  const uint dx = n.x > 1u ? 1u : 0u;
-  const uint dy = n.y > 1u ? n.x : 0u;
-  const uint dz = n.z > 1u ? n.x * n.y : 0u;
-  const uint at = i.x + n.x * (i.y + n.y * i.z);
-  Values values = Values(brick.values);
-  vec4 lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
-    values.items[at + dy + dx]);
-  vec4 upper = vec4(values.items[at + dz], values.items[at + dz + dx],
-    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  vec4 lower;
+  vec4 upper;
+  const vec3 f = readCells(brick, n, c, lower, upper);
   vec4 present = vec4(0.0, 0.0, 0.0, 1.0);
   // Outside of the box of centres the nearest place in it counts.
   const vec4 inside = vec4(equal(insideBounds(brick, q, vec3(n)), c), true);
@@ -93,14 +84,9 @@ void addCompletedJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
   q = insideBounds(brick, q, vec3(n));
   const vec3 i = min(floor(q), vec3(n) - 1.0); // -1 to n - 1
   const vec3 f = q - i;
-  const uint dy = n.x + 2u;
-  const uint dz = dy * (n.y + 2u);
-  const uint at = placeOf(n, ivec3(i));
-  Values values = Values(brick.values);
-  vec4 lower =
-    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
-  vec4 upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
-    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+  vec4 lower;
+  vec4 upper;
+  readLattice(brick, n, i, lower, upper);
   vec4 value;
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {

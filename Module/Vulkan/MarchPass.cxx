@@ -159,13 +159,12 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.perRow = makePair(ndcToHalfCells[1] * (scale * 2.0 / view.target.height));
   frame.firstDepth = makePair(depths.first);
   frame.inverseDepths = makePair(1.0 / (depths.second - depths.first));
+  const glm::dmat3 toData = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells));
   // In unit distances, as lengths in the data's coordinates may be beyond the range of floats.
-  const glm::dmat3 toUnits = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells)) *
-    (1.0 / view.opacityUnitDistance);
+  const glm::dmat3 toUnits = toData * (1.0 / view.opacityUnitDistance);
   frame.halfCellsToUnitsX = toUnits[0];
   frame.halfCellsToUnitsY = toUnits[1];
   frame.halfCellsToUnitsZ = toUnits[2];
-  const glm::dmat3 toData = view.camera.halfCellsToData * glm::inverse(glm::dmat3(fromHalfCells));
   const glm::dvec3 finest(view.camera.halfCellsToData[0].x, view.camera.halfCellsToData[1].y,
     view.camera.halfCellsToData[2].z);
   frame.gradientToMagnitude = 2.0 / 3.0 * (finest.x + finest.y + finest.z) /
@@ -179,10 +178,10 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.stepScale = static_cast<float>(view.quality.stepScale);
   frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
   frame.leastToAverage = static_cast<float>(view.averageRange.x);
+  frame.mostToAverage = static_cast<float>(view.averageRange.y);
   frame.isoValueCount = static_cast<std::uint32_t>(
     std::min<std::size_t>(view.isoValues.size(), layout::MOST_ISO_VALUES));
   std::copy_n(view.isoValues.begin(), frame.isoValueCount, frame.isoValues);
-  frame.mostToAverage = static_cast<float>(view.averageRange.y);
   frame.hasDepth = view.target.depth != nullptr;
   fillCutaway(frame, view.cutaway, fromHalfCells);
 }

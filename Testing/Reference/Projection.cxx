@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Projection.h"
 
+#include "Reference/BoundedRay.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,12 +13,6 @@ namespace reference
 {
 namespace
 {
-glm::dvec3 project(const glm::dmat4& matrix, const glm::dvec3& ndc)
-{
-  const glm::dvec4 place = matrix * glm::dvec4(ndc, 1.0);
-  return glm::dvec3(place) / place.w;
-}
-
 // What the samples of one ray come to.
 struct Statistics
 {
@@ -88,23 +84,10 @@ Image project(const Oracle& oracle, const Box& bounds, const View& view,
   {
     for (int x = 0; x < view.width; ++x)
     {
-      const glm::dvec3 ndc(
-        2.0 * (x + 0.5) / view.width - 1.0, 2.0 * (y + 0.5) / view.height - 1.0, -1.0);
-      const glm::dvec3 end(ndc.x, ndc.y, 1.0);
-      const glm::dvec3 near = project(view.ndcToLogical, ndc);
-      const glm::dvec3 far = project(view.ndcToLogical, end);
-      const glm::dvec3 a = (glm::dvec3(bounds.lo) - near) / (far - near);
-      const glm::dvec3 b = (glm::dvec3(bounds.hi) - near) / (far - near);
-      const glm::dvec3 enter = glm::min(a, b);
-      const glm::dvec3 leave = glm::max(a, b);
-      const double first = std::max({ 0.0, enter.x, enter.y, enter.z });
-      const double last = std::min({ 1.0, leave.x, leave.y, leave.z });
-      if (first < last)
+      if (const std::optional<BoundedRay> ray = findBoundedRay(view, bounds, x, y))
       {
-        const double worldLength = (last - first) *
-          glm::length(project(view.ndcToWorld, end) - project(view.ndcToWorld, ndc));
-        const Statistics found = sampleRay(oracle, glm::mix(near, far, first),
-          glm::mix(near, far, last), worldLength, transfer, settings);
+        const Statistics found =
+          sampleRay(oracle, ray->from, ray->to, ray->worldLength, transfer, settings);
         image.pixels[static_cast<std::size_t>(y) * view.width + x] =
           toPixel(found, transfer, settings.blending);
       }

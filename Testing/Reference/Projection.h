@@ -20,7 +20,7 @@ struct ProjectionSettings
   double step = 1.0 / 32.0;            // in the finest cells
 };
 
-/// `size`: of the bounds, logical; outside of them nothing is sampled.
+/// `bounds`: logical; outside of them nothing is sampled. The view's depth and cut do not count.
 Image project(const Oracle& oracle, const Box& bounds, const View& view,
   const TransferFunction& transfer, const ProjectionSettings& settings);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/Shaded.h"
 
+#include "Reference/BoundedRay.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,12 +15,6 @@ namespace reference
 {
 namespace
 {
-glm::dvec3 project(const glm::dmat4& matrix, const glm::dvec3& ndc)
-{
-  const glm::dvec4 place = matrix * glm::dvec4(ndc, 1.0);
-  return glm::dvec3(place) / place.w;
-}
-
 // Along one axis, by logical coordinates. One-sided beside places where nothing is.
 double findSlope(const FieldFunction& field, const glm::dvec3& place, int axis)
 {
@@ -107,24 +103,16 @@ Image renderShaded(const FieldFunction& field, const Box& bounds, const View& vi
 #pragma omp parallel for schedule(dynamic)
   for (int pixel = 0; pixel < view.width * view.height; ++pixel)
   {
-    const glm::dvec3 ndc(2.0 * (pixel % view.width + 0.5) / view.width - 1.0,
-      2.0 * (pixel / view.width + 0.5) / view.height - 1.0, -1.0);
-    const glm::dvec3 near = project(view.ndcToLogical, ndc);
-    const glm::dvec3 far = project(view.ndcToLogical, { ndc.x, ndc.y, 1.0 });
-    const glm::dvec3 a = (corner - near) / (far - near);
-    const glm::dvec3 b = (glm::dvec3(bounds.hi) - near) / (far - near);
-    const glm::dvec3 enter = glm::min(a, b);
-    const glm::dvec3 leave = glm::max(a, b);
-    const double first = std::max({ 0.0, enter.x, enter.y, enter.z });
-    const double last = std::min({ 1.0, leave.x, leave.y, leave.z });
-    if (!(first < last))
+    const std::optional<BoundedRay> ray =
+      findBoundedRay(view, bounds, pixel % view.width, pixel / view.width);
+    if (!ray)
     {
       continue;
     }
-    const glm::dvec3 from = glm::mix(near, far, first);
-    const glm::dvec3 path = glm::mix(near, far, last) - from;
+    const glm::dvec3 from = ray->from;
+    const glm::dvec3 path = ray->to - from;
     const auto samples = static_cast<std::size_t>(std::ceil(glm::length(path) / settings.step));
-    const double piece = glm::length(toData * path) / static_cast<double>(samples);
+    const double piece = ray->worldLength / static_cast<double>(samples);
     glm::dvec4 sum(0.0);
     for (std::size_t i = 0; i < samples; ++i)
     {

@@ -29,7 +29,8 @@ struct ShadedSettings
   double step = 1.0 / 32.0;         // in the finest cells
 };
 
-/// `logicalToWorld`: affine. `field` may be asked from several threads.
+/// `logicalToWorld`: affine. The view's depth and cut do not count. `field` may be asked from
+/// several threads.
 Image renderShaded(const FieldFunction& field, const Box& bounds, const View& view,
   const glm::dmat4& logicalToWorld, const TransferFunction& transfer,
   const ShadedSettings& settings);
