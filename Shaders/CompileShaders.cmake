@@ -1,6 +1,6 @@
-# exabricks_compile_shader(<headers> <source> {<variant> <definition>}...)
+# exabricks_compile_shader(<headers> <source> {<variant> <definitions>}...)
 #
-# Compiles <source> (in Shaders/, or with its full path) twice for each variant, with <definition> set, into headers
+# Compiles <source> (in Shaders/, or with its full path) twice for each variant, with <definitions> set, into headers
 # <variant>Spirv.h that holds `const uint32_t <variant>Spirv[]`, and <variant>Int64Spirv.h for devices with integers of
 # 64 bits (Shaders/Buffers.glsl); and puts the list of headers into <headers>. They lie in EXABRICKS_SPIRV_DIR. What the
 # shader includes (Shaders/Layout.h, Shaders/*.glsl, what lies beside it) is followed through the compiler's depfile.
@@ -33,22 +33,24 @@ function (exabricks_compile_shader headers source)
   endif ()
   get_filename_component(name "${source}" NAME)
   while (ARGN)
-    list(POP_FRONT ARGN variant definition)
-    foreach (words IN ITEMS "" Int64)
-      set(definitions "-D${definition}")
-      if (words)
+    list(POP_FRONT ARGN variant words)
+    separate_arguments(words)
+    list(TRANSFORM words PREPEND "-D")
+    foreach (suffix IN ITEMS "" Int64)
+      set(definitions ${words})
+      if (suffix)
         list(APPEND definitions -DHAS_INT64)
       endif ()
-      set(output "${EXABRICKS_SPIRV_DIR}/${variant}${words}Spirv.h")
+      set(output "${EXABRICKS_SPIRV_DIR}/${variant}${suffix}Spirv.h")
       add_custom_command(
         OUTPUT "${output}"
         COMMAND "${EXABRICKS_GLSLANG}" --quiet -V ${EXABRICKS_GLSLANG_OPTIMIZE} --target-env vulkan1.2
                 ${definitions} "-I${EXABRICKS_SHADER_DIR}"
-                --vn "${variant}${words}Spirv" --depfile "${output}.d" -o "${output}"
+                --vn "${variant}${suffix}Spirv" --depfile "${output}.d" -o "${output}"
                 "${source}"
         DEPENDS "${source}"
         DEPFILE "${output}.d"
-        COMMENT "Compiling ${name} with ${definition} ${words}"
+        COMMENT "Compiling ${name} with ${words} ${suffix}"
         VERBATIM)
       list(APPEND outputs "${output}")
     endforeach ()

@@ -1,25 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a pipeline is specialised for (MarchVariant.h): the code of one choice alone is compiled.
+// Drivers take long to drop what is not chosen, so that there is a module for each of four families:
+// FAMILY_PROJECTION, FAMILY_ISOSURFACE, FAMILY_COMPOSITE, and in the most frequent one, which has no
+// name, what is emitted and absorbed alone.
 layout(constant_id = 0) const uint reconstruction = RECONSTRUCTION_BASIS;
 // Rays begin at depths of their own; else at the near plane, and nothing is read.
 layout(constant_id = 1) const bool beginsAtDepth = false;
 // Pixels are taken by a counter, in place of being dealt out with the groups: for drivers that deal
 // each thread one run of groups, as those of CPUs do, of which one may cost much more than another.
 layout(constant_id = 2) const bool takesPixels = false;
+#if defined(FAMILY_PROJECTION) || defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE)
 // Clipping planes shorten the rays.
 layout(constant_id = 3) const bool clipped = false;
 // Cropping leaves several pieces of a ray.
 layout(constant_id = 4) const bool cropped = false;
+#else
+const bool clipped = false;
+const bool cropped = false;
+#endif
 // How what lies along the ray becomes a colour (Blend.glsl).
-layout(constant_id = 5) const uint blending = BLENDING_COMPOSITE;
+#if defined(FAMILY_PROJECTION)
+layout(constant_id = 5) const uint blending = BLENDING_MAXIMUM;
+const bool isComposite = false;
+const bool isIsosurface = false;
+#else
+#if defined(FAMILY_ISOSURFACE)
+const uint blending = BLENDING_ISOSURFACE;
+#else
+const uint blending = BLENDING_COMPOSITE;
+#endif
+const bool isComposite = blending == BLENDING_COMPOSITE;
+const bool isIsosurface = blending == BLENDING_ISOSURFACE;
+#endif
+const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
 // The rest of what is seen is lit, and less opaque where the field changes little.
+#if defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE)
 layout(constant_id = 8) const bool isShaded = false;
+#else
+const bool isShaded = false;
+#endif
+#if defined(FAMILY_COMPOSITE)
 layout(constant_id = 9) const bool hasGradientOpacity = false;
+#else
+const bool hasGradientOpacity = false;
+#endif
 
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
-const bool isComposite = blending == BLENDING_COMPOSITE;
-const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
-const bool isIsosurface = blending == BLENDING_ISOSURFACE;
 // At each sample; surfaces have theirs.
 const bool needsGradient = (isShaded || hasGradientOpacity) && !isIsosurface;

@@ -2,10 +2,7 @@
 #include "Vulkan/MarchPipelines.h"
 
 #include "Layout.h"
-#include "MarchKdTreeInt64Spirv.h"
-#include "MarchKdTreeSpirv.h"
-#include "MarchRayQueryInt64Spirv.h"
-#include "MarchRayQuerySpirv.h"
+#include "Vulkan/MarchModules.h"
 
 #include <array>
 #include <cstddef>
@@ -60,27 +57,6 @@ std::uint32_t numberOf(Blending blending)
       return layout::BLENDING_COMPOSITE;
   }
 }
-
-template <std::size_t N>
-vk::ShaderModuleCreateInfo toInfo(const std::uint32_t (&spirv)[N])
-{
-  return { {}, sizeof(spirv), spirv };
-}
-
-vk::ShaderModuleCreateInfo shaderFor(
-  const Device& device, Traversal traversal, const MarchShader& shader)
-{
-  const bool int64 = device.hasInt64();
-  if (!shader.spirv.empty())
-  {
-    return { {}, int64 ? shader.int64Spirv : shader.spirv };
-  }
-  if (traversal == Traversal::RayQuery)
-  {
-    return int64 ? toInfo(MarchRayQueryInt64Spirv) : toInfo(MarchRayQuerySpirv);
-  }
-  return int64 ? toInfo(MarchKdTreeInt64Spirv) : toInfo(MarchKdTreeSpirv);
-}
 }
 
 std::shared_ptr<MarchPipelines> MarchPipelines::ofDevice(const std::shared_ptr<Device>& device)
@@ -123,8 +99,11 @@ vk::Pipeline MarchPipelines::find(const MarchVariant& variant, std::size_t& buil
 
 vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
 {
-  const vk::raii::ShaderModule shader(
-    this->Owner->handle(), shaderFor(*this->Owner, variant.traversal, this->Shader));
+  const bool int64 = this->Owner->hasInt64();
+  const vk::raii::ShaderModule shader(this->Owner->handle(),
+    this->Shader.spirv.empty()
+      ? findMarchModule(variant, int64)
+      : vk::ShaderModuleCreateInfo({}, int64 ? this->Shader.int64Spirv : this->Shader.spirv));
   const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
     variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity,
     variant.clipped, variant.cropped };

@@ -14,7 +14,8 @@ namespace exabricks
 {
 namespace vulkan
 {
-/// SPIR-V with the interface of Shaders/March.comp.
+/// SPIR-V with the interface of Shaders/March.comp, of the family without a name
+/// (Shaders/Variant.glsl).
 struct MarchShader
 {
   std::vector<std::uint32_t> spirv;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vulkan/MarchModules.h"
+
+#include "MarchKdTreeCompositeInt64Spirv.h"
+#include "MarchKdTreeCompositeSpirv.h"
+#include "MarchKdTreeInt64Spirv.h"
+#include "MarchKdTreeIsosurfaceInt64Spirv.h"
+#include "MarchKdTreeIsosurfaceSpirv.h"
+#include "MarchKdTreeProjectionInt64Spirv.h"
+#include "MarchKdTreeProjectionSpirv.h"
+#include "MarchKdTreeSpirv.h"
+#include "MarchRayQueryCompositeInt64Spirv.h"
+#include "MarchRayQueryCompositeSpirv.h"
+#include "MarchRayQueryInt64Spirv.h"
+#include "MarchRayQueryIsosurfaceInt64Spirv.h"
+#include "MarchRayQueryIsosurfaceSpirv.h"
+#include "MarchRayQueryProjectionInt64Spirv.h"
+#include "MarchRayQueryProjectionSpirv.h"
+#include "MarchRayQuerySpirv.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace exabricks
+{
+namespace vulkan
+{
+namespace
+{
+struct Words
+{
+  template <std::size_t N>
+  constexpr Words(const std::uint32_t (&words)[N])
+    : begin(words)
+    , bytes(sizeof(words))
+  {
+  }
+  const std::uint32_t* begin;
+  std::size_t bytes;
+};
+
+// By traversal, and without and with integers of 64 bits.
+struct Family
+{
+  Words kdTree;
+  Words kdTreeInt64;
+  Words rayQuery;
+  Words rayQueryInt64;
+};
+
+// Shaders/Variant.glsl
+const Family plain{ MarchKdTreeSpirv, MarchKdTreeInt64Spirv, MarchRayQuerySpirv,
+  MarchRayQueryInt64Spirv };
+const Family composite{ MarchKdTreeCompositeSpirv, MarchKdTreeCompositeInt64Spirv,
+  MarchRayQueryCompositeSpirv, MarchRayQueryCompositeInt64Spirv };
+const Family projection{ MarchKdTreeProjectionSpirv, MarchKdTreeProjectionInt64Spirv,
+  MarchRayQueryProjectionSpirv, MarchRayQueryProjectionInt64Spirv };
+const Family isosurface{ MarchKdTreeIsosurfaceSpirv, MarchKdTreeIsosurfaceInt64Spirv,
+  MarchRayQueryIsosurfaceSpirv, MarchRayQueryIsosurfaceInt64Spirv };
+
+const Family& familyOf(const MarchVariant& variant)
+{
+  switch (variant.blending)
+  {
+    case Blending::Composite:
+      return variant.shaded || variant.hasGradientOpacity || variant.clipped || variant.cropped
+        ? composite
+        : plain;
+    case Blending::Isosurface:
+      return isosurface;
+    default:
+      return projection;
+  }
+}
+}
+
+vk::ShaderModuleCreateInfo findMarchModule(const MarchVariant& variant, bool int64)
+{
+  const Family& family = familyOf(variant);
+  const Words& words = variant.traversal == Traversal::RayQuery
+    ? (int64 ? family.rayQueryInt64 : family.rayQuery)
+    : (int64 ? family.kdTreeInt64 : family.kdTree);
+  return { {}, words.bytes, words.begin };
+}
+}
+}
