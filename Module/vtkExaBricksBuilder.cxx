@@ -17,7 +17,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
+#include "vtkVolumeProperty.h" // for VTK_MAX_VRCOMP
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <set>
@@ -101,6 +103,7 @@ private:
   std::string FindArray(
     vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name);
   bool UpdateStructure(const exabricks::Hierarchy& hierarchy, double& seconds);
+  void ReadValues(exabricks::AMRCellSource& source, exabricks::BrickedVolume& bricked);
   exabricks::Progress ProgressBetween(double from, double to);
 
   vtkExaBricksBuilder* const Self;
@@ -110,7 +113,10 @@ private:
 std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternals::Build(
   vtkOverlappingAMR* amr)
 {
-  const exabricks::AMRInput input = exabricks::readAMR(amr);
+  const int* const levels = this->Self->LevelRange;
+  const exabricks::AMRInput input = exabricks::readAMR(amr,
+    { static_cast<unsigned int>(std::max(levels[0], 0)),
+      static_cast<unsigned int>(std::max(levels[1], 0)) });
   if (!input.fault.empty())
   {
     vtkErrorWithObjectMacro(this->Self, << input.fault << ".");
@@ -134,8 +140,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   bricked->spacing = input.hierarchy.spacing;
   bricked->amrLevel = input.amrLevel;
   bricked->volume.structure = this->Structure;
-  bricked->volume.values =
-    exabricks::makeValues(*this->Structure, source, this->ProgressBetween(0.5, 1.0));
+  this->ReadValues(source, *bricked);
   bricked->valuesTime = watch.seconds();
   return bricked->volume ? bricked : nullptr;
 }
@@ -155,6 +160,8 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
       return fault;
     }
     bricked.components = array->GetNumberOfComponents();
+    const int type = array->GetDataType();
+    bricked.brightest = type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : array->GetDataTypeMax();
     source.setArray(static_cast<int>(b), array);
   }
   return {};
@@ -185,6 +192,12 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArray(
   {
     return "expected a component below " + std::to_string(components) + " of array '" + name +
       "', found VectorComponent " + std::to_string(this->Self->VectorComponent);
+  }
+  if (components > VTK_MAX_VRCOMP && this->Self->VectorMode == DISABLED)
+  {
+    return "expected at most " + std::to_string(VTK_MAX_VRCOMP) + " components in array '" + name +
+      "', found " + std::to_string(components) +
+      ". Call SetVectorModeToMagnitude(), or SetVectorModeToComponent() and SetVectorComponent()";
   }
   if (onPoints)
   {
@@ -225,6 +238,36 @@ bool vtkExaBricksBuilder::vtkInternals::UpdateStructure(
   seconds = watch.seconds();
   this->Structure = std::move(structure);
   return true;
+}
+
+// Without values, if it was aborted.
+void vtkExaBricksBuilder::vtkInternals::ReadValues(
+  exabricks::AMRCellSource& source, exabricks::BrickedVolume& bricked)
+{
+  const int components = this->Self->VectorMode == DISABLED ? bricked.components : 1;
+  exabricks::Volume& volume = bricked.volume;
+  for (int k = 0; k < components; ++k)
+  {
+    if (components > 1)
+    {
+      source.selectOfAll(k);
+    }
+    auto values = exabricks::makeValues(*volume.structure, source,
+      this->ProgressBetween(0.5 + 0.5 * k / components, 0.5 + 0.5 * (k + 1) / components));
+    if (!values)
+    {
+      volume = {};
+      return;
+    }
+    if (k == 0)
+    {
+      volume.values = std::move(values);
+    }
+    else
+    {
+      volume.furtherValues.push_back(std::move(values));
+    }
+  }
 }
 
 // Reports the progress of a stage as the filter's own, and stops it when the filter is aborted.
@@ -330,8 +373,12 @@ int vtkExaBricksBuilder::RequestData(
 void vtkExaBricksBuilder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "VectorMode: " << (this->VectorMode == COMPONENT ? "Component" : "Magnitude")
+  os << indent << "VectorMode: "
+     << (this->VectorMode == DISABLED       ? "Disabled"
+            : this->VectorMode == COMPONENT ? "Component"
+                                            : "Magnitude")
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "NumberOfStructureBuilds: " << this->NumberOfStructureBuilds << "\n";
 }

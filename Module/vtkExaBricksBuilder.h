@@ -40,20 +40,34 @@ public:
 
   ///@{
   /**
-   * What to take of an array with several components: their magnitude (default), or one of them.
-   * The names are those of vtkSmartVolumeMapper.
+   * What to take of an array with several components: their magnitude (default), one of them, or
+   * (DISABLED) each, of at most four: then a cell of which one is not finite is absent. Ranges and
+   * the cells of vtkExaBricksData are those of the first one. The names are those of
+   * vtkSmartVolumeMapper.
    */
   enum VectorModeType
   {
+    DISABLED = -1,
     MAGNITUDE = 0,
     COMPONENT = 1
   };
-  vtkSetClampMacro(VectorMode, int, MAGNITUDE, COMPONENT);
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The levels of the AMR that count, from the first to the last number: all by default. Others are
+   * left out as if they were not there: without fine ones, coarse cells below them come to light;
+   * without coarse ones, there is nothing beside the fine blocks.
+   */
+  vtkSetVector2Macro(LevelRange, int);
+  vtkGetVector2Macro(LevelRange, int);
   ///@}
 
   /// How often bricks and regions were built: it does not grow with arrays or time steps on the
@@ -79,6 +93,7 @@ protected:
 
   int VectorMode = MAGNITUDE;
   int VectorComponent = 0;
+  int LevelRange[2] = { 0, VTK_INT_MAX };
   int NumberOfStructureBuilds = 0;
 
 private:

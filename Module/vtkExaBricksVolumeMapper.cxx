@@ -7,7 +7,9 @@
 #include "Adapters/Compositor.h"
 #include "Adapters/CutawayInput.h"
 #include "Adapters/DrawnRenderers.h"
+#include "Adapters/FirstSeen.h"
 #include "Adapters/LightingInput.h"
+#include "Adapters/MediumInput.h"
 #include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
@@ -36,6 +38,8 @@ vtkStandardNewMacro(vtkExaBricksVolumeMapper);
 
 static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
       static_cast<int>(vtkExaBricksBuilder::MAGNITUDE) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::DISABLED) ==
+      static_cast<int>(vtkExaBricksBuilder::DISABLED) &&
     static_cast<int>(vtkExaBricksVolumeMapper::COMPONENT) ==
       static_cast<int>(vtkExaBricksBuilder::COMPONENT),
   "the mapper hands its vector mode to the builder");
@@ -60,7 +64,6 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   vtkMTimeType PropertyTime = 0;
 
   bool ReconstructionChosen = false;
-  bool VectorModeChosen = false;
 
   std::set<std::string> ReportedWarnings; // each is reported once
   std::string ReportedFault;              // of the last picture: reported once as long as it stays
@@ -77,11 +80,14 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume() const;
   std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  std::string CheckData(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
   void UpdateRenderer(
     vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed);
-  void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::Range& range);
+  void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
   exabricks::Reconstruction FindReconstruction(vtkVolumeProperty* property) const;
+  exabricks::View MakeView(vtkRenderer* ren, vtkVolume* vol,
+    const exabricks::BrickedVolume& bricked, int width, int height) const;
   std::optional<std::string> Composite(
     vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
 
@@ -113,6 +119,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
   }
   builder->SetVectorMode(this->Self->VectorMode);
   builder->SetVectorComponent(this->Self->VectorComponent);
+  builder->SetLevelRange(this->Self->LevelRange);
   return exabricks::selectArray(builder, this->Self);
 }
 
@@ -129,19 +136,33 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
   vtkRenderer* ren, vtkVolume* vol, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
 {
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
-  const std::string refused = this->Report(exabricks::checkWithData(property,
-    { this->Self->StepScale, this->Self->ErrorTolerance, this->VectorModeChosen },
-    bricked->components));
+  const std::string refused = this->CheckData(property, *bricked);
   try
   {
+    if (!refused.empty())
+    {
+      return refused;
+    }
     this->UpdateRenderer(property, bricked);
-    return refused.empty() ? this->Composite(ren, vol, *bricked) : refused;
+    return this->Composite(ren, vol, *bricked);
   }
   catch (const std::bad_alloc&)
   {
     this->Bricked.reset();
     return "out of memory on the host. Read fewer levels, or make the window smaller";
   }
+}
+
+// Returns what is refused of the data and the property, or nothing.
+std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
+{
+  const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->ErrorTolerance,
+    { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
+  const std::string refused = exabricks::checkNumbers(property, settings);
+  return refused.empty() && bricked.volume.components() > 1
+    ? this->Report(exabricks::checkMedium(this->Self, property, settings, bricked))
+    : refused;
 }
 
 // Hands the renderer what has changed. Throws std::bad_alloc.
@@ -159,7 +180,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   // Nodes are normalised to the range of the data, so new data want new tables too.
   if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
   {
-    this->UpdateTransferFunction(property, bricked->volume.values->range);
+    this->UpdateTransferFunction(property, *bricked);
   }
 }
 
@@ -175,6 +196,10 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
   if (completed)
   {
     volume.values = exabricks::complete(*volume.structure, *volume.values);
+    for (std::shared_ptr<const exabricks::Values>& values : volume.furtherValues)
+    {
+      values = exabricks::complete(*volume.structure, *values);
+    }
   }
   this->Renderer.setVolume(std::move(volume));
   this->Bricked = bricked;
@@ -182,11 +207,20 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
 }
 
 void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
-  vtkVolumeProperty* property, const exabricks::Range& range)
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
 {
   this->Property = property;
-  this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
-  this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, range));
+  if (bricked.volume.components() > 1)
+  {
+    this->Renderer.setMedium(exabricks::makeMedium(property, bricked));
+    this->Renderer.setGradientOpacity({});
+  }
+  else
+  {
+    const exabricks::Range& range = bricked.volume.values->range;
+    this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
+    this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, range));
+  }
   // Asked afterwards, as discretised functions make tables when they are evaluated, and are
   // modified by that.
   this->PropertyTime = property->GetMTime();
@@ -202,32 +236,46 @@ exabricks::Reconstruction vtkExaBricksVolumeMapper::vtkInternals::FindReconstruc
     : static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
 }
 
-// Renders the picture and puts it into the window.
+exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* ren, vtkVolume* vol,
+  const exabricks::BrickedVolume& bricked, int width, int height) const
+{
+  exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
+  view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
+  view.quality.stepScale = this->Self->StepScale;
+  const bool several = bricked.volume.components() > 1; // see checkMedium()
+  view.quality.errorTolerance = several ? 0.0 : this->Self->ErrorTolerance;
+  view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
+  view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+  view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
+  view.blending = exabricks::findBlending(this->Self);
+  view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
+  view.slicePlane = exabricks::findSlicePlane(vol, bricked);
+  view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
+  if (!several)
+  {
+    view.lighting = exabricks::makeLighting(ren, vol, bricked);
+  }
+  return view;
+}
+
+// Renders the picture and puts it into the window, or what a selector wants to know of it.
 std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
 {
   const auto makeView = [&](int width, int height)
+  { return this->MakeView(ren, vol, bricked, width, height); };
+  if (ren->GetSelector())
   {
-    exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
-    view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
-    view.quality.stepScale = this->Self->StepScale;
-    view.quality.errorTolerance = this->Self->ErrorTolerance;
-    view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
-    view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
-    view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
-    view.blending = exabricks::findBlending(this->Self);
-    view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
-    view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
-    view.lighting = exabricks::makeLighting(ren, vol, bricked);
-    return view;
-  };
+    return this->Compositor.drawSelection(ren, makeView, this->Renderer);
+  }
   const auto progress = [&](double done)
   {
     this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
     this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
     return !this->Aborted;
   };
-  return this->Compositor.draw(this->Self, ren, vol, makeView, this->Renderer, progress);
+  return this->Compositor.draw(this->Self, ren, vol, makeView,
+    { this->Self->FinalColorWindow, this->Self->FinalColorLevel }, this->Renderer, progress);
 }
 
 // Gives back what was held of the former volume.
@@ -293,17 +341,6 @@ void vtkExaBricksVolumeMapper::SetReconstruction(int reconstruction)
   {
     this->Internals->ReconstructionChosen = true;
     this->Reconstruction = clamped;
-    this->Modified();
-  }
-}
-
-void vtkExaBricksVolumeMapper::SetVectorMode(int mode)
-{
-  const int clamped = vtkMath::ClampValue(mode, int(MAGNITUDE), int(COMPONENT));
-  if (clamped != this->VectorMode || !this->Internals->VectorModeChosen)
-  {
-    this->Internals->VectorModeChosen = true;
-    this->VectorMode = clamped;
     this->Modified();
   }
 }
@@ -436,18 +473,18 @@ void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
-  if (ren->GetSelector())
+  if (ren->GetSelector() && !exabricks::marksProps(ren->GetSelector()))
   {
-    return; // a selector would take blended colours for ids
+    return; // a selector would take colours for other ids
   }
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
-  internals.Report(exabricks::checkLights(ren, vol));
   if (!refused.empty())
   {
     internals.ReportFault(refused);
     internals.Drawn.set(ren, false);
     return;
   }
+  internals.Report(exabricks::checkLights(ren, vol));
   this->Update();
   if (!internals.GetBrickedVolume())
   {
@@ -481,6 +518,61 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
 
+bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX,
+  double displayY, double opacity, double halfCells[3])
+{
+  vtkInternals& internals = *this->Internals;
+  const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
+  if (!refused.empty())
+  {
+    internals.ReportFault(refused);
+    return false;
+  }
+  this->Update();
+  const auto bricked = internals.GetBrickedVolume();
+  if (!bricked)
+  {
+    return false;
+  }
+  const auto find = [&](const exabricks::BrickedVolume& of, std::string& fault)
+  {
+    int size[2];
+    int corner[2];
+    ren->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+    exabricks::PlaceInPicture place;
+    place.ndc = { 2.0 * (displayX + 0.5 - corner[0]) / size[0] - 1.0,
+      2.0 * (displayY + 0.5 - corner[1]) / size[1] - 1.0 };
+    place.depth = ren->GetZ(static_cast<int>(displayX), static_cast<int>(displayY));
+    return exabricks::findFirstSeen(internals.Renderer,
+      internals.MakeView(ren, vol, of, size[0], size[1]), place,
+      glm::dvec3(of.volume.structure->tree.size), opacity, fault);
+  };
+  std::string fault = internals.CheckData(vol->GetProperty(), *bricked);
+  std::optional<glm::dvec3> found;
+  try
+  {
+    if (fault.empty())
+    {
+      internals.UpdateRenderer(vol->GetProperty(), bricked);
+      found = find(*bricked, fault);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    internals.Bricked.reset();
+    fault = "out of memory on the host. Read fewer levels";
+  }
+  if (!fault.empty())
+  {
+    internals.ReportFault(fault);
+  }
+  for (int axis = 0; found && axis < 3; ++axis)
+  {
+    halfCells[axis] = (*found)[axis];
+  }
+  return found.has_value();
+}
+
 void vtkExaBricksVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Compositor.release(window);
@@ -496,9 +588,15 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
   os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";
-  os << indent << "VectorMode: " << (this->VectorMode == COMPONENT ? "Component" : "Magnitude")
+  os << indent << "VectorMode: "
+     << (this->VectorMode == DISABLED       ? "Disabled"
+            : this->VectorMode == COMPONENT ? "Component"
+                                            : "Magnitude")
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
+  os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
+  os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
   os << indent << "Device: " << (this->Device ? this->Device : "(best)") << "\n";
   os << indent << "Drawn: " << this->GetDrawn() << "\n";
   os << indent << "DeviceName: " << this->GetDeviceName() << "\n";

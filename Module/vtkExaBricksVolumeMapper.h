@@ -19,18 +19,21 @@
  *
  * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar
  * opacity and its unit distance, a length in the data's own coordinates, before the volume's
- * matrix, the interpolation type, gradient opacity with the blend mode composite, and shading by
- * all lights of the renderer with composite and iso-surface. Blend modes: composite, maximum,
- * minimum and average intensity, additive, and iso-surface with up to 16 values. It says so when it
- * is asked for what it does not do yet: slices and dependent components such as RGBA (an error,
- * nothing is drawn); 2-D transfer functions, several independent components and their weights,
- * colours of categories (a warning, drawn without).
+ * matrix, the interpolation type, gradient opacity with the blend mode composite, shading by all
+ * lights of the renderer with composite and iso-surface, and components (see VectorMode). Blend
+ * modes: composite, maximum, minimum and average intensity, additive, iso-surface with up to 16
+ * values, and slice with a vtkPlane, in world coordinates, as the property's slice function. It
+ * says so when it is asked for what it does not do yet: 2-D transfer functions, colours of
+ * categories (a warning, drawn without).
  *
  * Clipping planes (AddClippingPlane(), SetClippingPlanes()) are in world coordinates and leave what
  * lies along their normals; with more than 32 of them, or one without a direction, nothing is
  * drawn, and an error says so. Cropping (CroppingOn(), SetCroppingRegionPlanes(),
  * SetCroppingRegionFlags()) is in the data's own coordinates; where an upper plane is below its
  * lower one, nothing is between the two. Both cut exactly, through cells and steps.
+ *
+ * The volume is picked by vtkPropPicker, vtkHardwareSelector and area picks; vtkExaBricksPicker
+ * tells the place, the cell and its value.
  *
  * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
  * geometry shows in the right order with it; else the volume is drawn over it.
@@ -40,7 +43,7 @@
  * ExaBricks", IEEE VIS 2020.
  *
  * @sa
- * vtkExaBricksBuilder vtkExaBricksData vtkAMRVolumeMapper
+ * vtkExaBricksBuilder vtkExaBricksData vtkExaBricksPicker vtkAMRVolumeMapper
  */
 #ifndef vtkExaBricksVolumeMapper_h
 #define vtkExaBricksVolumeMapper_h
@@ -152,20 +155,49 @@ public:
 
   ///@{
   /**
-   * What to take of an array with several components: their magnitude (default), or one of them.
-   * Where neither was chosen, a warning says that the magnitude is drawn.
+   * What to draw of an array with several components: each (DISABLED, the default), their
+   * magnitude, or one of them. The names are those of vtkSmartVolumeMapper. Each, of up to four: if
+   * the property has IndependentComponents (its default), with colours, opacity, unit distance and
+   * weight of its own; extinctions add up, each times its weight, so that the picture does not
+   * depend on the order of components. Dependent ones: of two, the first has colours, the second
+   * one opacity; of four, the first three are red, green and blue, up to the greatest number of the
+   * array's type or, for floating point, 1, and the last one has opacity. A cell of which one
+   * component is not finite is absent. Drawn by blend mode composite, unshaded; else an error or a
+   * warning says so.
    */
   enum VectorModeType
   {
+    DISABLED = -1,
     MAGNITUDE = 0,
     COMPONENT = 1
   };
-  virtual void SetVectorMode(int mode);
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
   virtual void SetVectorComponent(int component);
   vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The levels of the AMR that are drawn, from the first to the last number: all by default. See
+   * vtkExaBricksBuilder::SetLevelRange().
+   */
+  vtkSetVector2Macro(LevelRange, int);
+  vtkGetVector2Macro(LevelRange, int);
+  ///@}
+
+  ///@{
+  /**
+   * Window and level of the picture's colours, as of vtkGPUVolumeRayCastMapper: a colour c of
+   * opacity a becomes c / window + a (1/2 - level / window). 1 and 0.5 by default, which leave it.
+   */
+  vtkSetMacro(FinalColorWindow, double);
+  vtkGetMacro(FinalColorWindow, double);
+  vtkSetMacro(FinalColorLevel, double);
+  vtkGetMacro(FinalColorLevel, double);
   ///@}
 
   ///@{
@@ -222,6 +254,8 @@ public:
   void Update(int port) override;
   void Update() override { this->Update(0); }
 
+  /// In a selector's passes (vtkHardwareSelector, vtkPropPicker, area picks), marks the pixels in
+  /// which more than 3/255 of opacity shows, as VTK's GPU mapper does.
   void Render(vtkRenderer* ren, vtkVolume* vol) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -237,11 +271,20 @@ protected:
   double ErrorTolerance = 0.0;
   int Traversal = AUTOMATIC;
   double EarlyTerminationOpacity = 0.999;
-  int VectorMode = MAGNITUDE;
+  int VectorMode = DISABLED;
   int VectorComponent = 0;
+  int LevelRange[2] = { 0, VTK_INT_MAX };
+  double FinalColorWindow = 1.0;
+  double FinalColorLevel = 0.5;
   char* Device = nullptr;
 
 private:
+  friend class vtkExaBricksPicker;
+  // Where the volume is first seen at a place of the window, in half cells of the builder's output
+  // (Adapters/FirstSeen.h). False: nowhere.
+  bool FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX, double displayY,
+    double opacity, double halfCells[3]);
+
   vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;
   void operator=(const vtkExaBricksVolumeMapper&) = delete;
 

@@ -4,6 +4,6 @@ struct Accumulator
 {
   vec4 color;         // Composite: premultiplied; Sum: the first component is the integral
   TransferPoint last; // of the value at which the ray is, where the field is continuous
-  float value;        // Extremum: the greatest or least so far
+  float value;        // Extremum: the greatest or least so far; Slice: the one at the plane
   float counted;      // Sum: on which values count, in unit distances
 };

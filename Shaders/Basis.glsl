@@ -5,7 +5,8 @@
 
 // The values of the eight cells around `c`, in cells from the lower corner's centre and within the box
 // of cell centres, n along each axis; and where c lies among them.
-vec3 readCells(Brick brick, uvec3 n, vec3 c, out vec4 lower, out vec4 upper)
+vec3 readCells(
+  Brick brick, uvec3 n, vec3 c, uint component, out vec4 lower, out vec4 upper)
 {
   const vec3 corner = min(floor(c), vec3(max(ivec3(n) - 2, 0)));
   const uvec3 i = toIndex(corner);
@@ -14,15 +15,15 @@ vec3 readCells(Brick brick, uvec3 n, vec3 c, out vec4 lower, out vec4 upper)
   const uint dz = n.z > 1u ? n.x * n.y : 0u;
   const uint at = i.x + n.x * (i.y + n.y * i.z);
   Values values = Values(brick.values);
-  lower = vec4(values.items[at], values.items[at + dx], values.items[at + dy],
-    values.items[at + dy + dx]);
-  upper = vec4(values.items[at + dz], values.items[at + dz + dx],
-    values.items[at + dz + dy], values.items[at + dz + dy + dx]);
+  lower = vec4(readValue(values, at, component), readValue(values, at + dx, component),
+    readValue(values, at + dy, component), readValue(values, at + dy + dx, component));
+  upper = vec4(readValue(values, at + dz, component), readValue(values, at + dz + dx, component),
+    readValue(values, at + dz + dy, component), readValue(values, at + dz + dy + dx, component));
   return c - corner;
 }
 
 // Adds a brick's tents at `q`, in cells from its lower corner.
-void addBasis(Brick brick, vec3 q, inout float sum, inout float weight)
+void addBasis(Brick brick, vec3 q, uint component, inout float sum, inout float weight)
 {
   const uvec3 n = cellsOf(brick);
   q -= 0.5;
@@ -35,7 +36,7 @@ void addBasis(Brick brick, vec3 q, inout float sum, inout float weight)
   }
   vec4 lower;
   vec4 upper;
-  const vec3 f = readCells(brick, n, c, lower, upper);
+  const vec3 f = readCells(brick, n, c, component, lower, upper);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
     sum += w * interpolate(lower, upper, f);

@@ -17,6 +17,10 @@ Accumulator startAccumulator()
 // Whether nothing that comes behind counts. All values lie in [0, 1].
 bool isComplete(Accumulator gathered)
 {
+  if (isSlice)
+  {
+    return gathered.value <= 1.0;
+  }
   if (isExtremum)
   {
     return blending == BLENDING_MAXIMUM ? gathered.value >= 1.0 : gathered.value <= 0.0;
@@ -80,7 +84,7 @@ void addSamples(float first, float middle, float last, inout Accumulator gathere
 // Premultiplied red, green, blue, opacity.
 vec4 toPixel(Accumulator gathered)
 {
-  return isExtremum               ? colorOfExtremum(gathered)
+  return isExtremum || isSlice    ? colorOfExtremum(gathered)
     : isComposite || isIsosurface ? gathered.color
                                   : colorOfSum(gathered);
 }

@@ -31,7 +31,13 @@ uint placeOf(uvec3 n, ivec3 cell)
   return at.x + size.x * (at.y + size.y * at.z);
 }
 
-float valueAt(Brick brick, uvec3 n, uvec3 cell)
+// A component of the cell at a place.
+float readValue(Values values, uint at, uint component)
 {
-  return Values(brick.values).items[placeOf(n, ivec3(cell))];
+  return values.items[componentCount == 1u ? at : componentCount * at + component];
+}
+
+float valueAt(Brick brick, uvec3 n, uvec3 cell, uint component)
+{
+  return readValue(Values(brick.values), placeOf(n, ivec3(cell)), component);
 }

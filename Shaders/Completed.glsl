@@ -4,20 +4,21 @@
 // none of its leaf cells. Bricks of a level agree on T_l, so each adds it with its own tents' weight.
 
 // The values of the eight lattice points from `i` on, -1 to n - 1.
-void readLattice(Brick brick, uvec3 n, vec3 i, out vec4 lower, out vec4 upper)
+void readLattice(
+  Brick brick, uvec3 n, vec3 i, uint component, out vec4 lower, out vec4 upper)
 {
   const uint dy = n.x + 2u;
   const uint dz = dy * (n.y + 2u);
   const uint at = placeOf(n, ivec3(i));
   Values values = Values(brick.values);
-  lower =
-    vec4(values.items[at], values.items[at + 1u], values.items[at + dy], values.items[at + dy + 1u]);
-  upper = vec4(values.items[at + dz], values.items[at + dz + 1u],
-    values.items[at + dz + dy], values.items[at + dz + dy + 1u]);
+  lower = vec4(readValue(values, at, component), readValue(values, at + 1u, component),
+    readValue(values, at + dy, component), readValue(values, at + dy + 1u, component));
+  upper = vec4(readValue(values, at + dz, component), readValue(values, at + dz + 1u, component),
+    readValue(values, at + dz + dy, component), readValue(values, at + dz + dy + 1u, component));
 }
 
 // Adds a brick's part at `q`, in cells from its lower corner.
-void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
+void addCompleted(Brick brick, vec3 q, uint component, inout float sum, inout float weight)
 {
   const uvec3 n = cellsOf(brick);
   q -= 0.5;
@@ -31,7 +32,7 @@ void addCompleted(Brick brick, vec3 q, inout float sum, inout float weight)
   const vec3 f = q - i;
   vec4 lower;
   vec4 upper;
-  readLattice(brick, n, i, lower, upper);
+  readLattice(brick, n, i, component, lower, upper);
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
     sum += w * interpolate(lower, upper, f);

@@ -17,6 +17,7 @@ struct Cursor
   bool known;     // the field at `entry` is
   float value;    // it
   vec3 gradient;  // its gradient by half cells, where that is needed
+  vec4 values;    // its components, where there are several
 };
 
 // In no region, and nothing is known.
@@ -28,6 +29,7 @@ Cursor startCursor()
   cursor.known = false;
   cursor.value = 0.0;
   cursor.gradient = vec3(0.0);
+  cursor.values = vec4(0.0);
   return cursor;
 }
 

@@ -13,11 +13,11 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
     const vec3 q = toCells(brick, ray, distance);
     if (isCompleted)
     {
-      addCompleted(brick, q, sum, weight);
+      addCompleted(brick, q, 0u, sum, weight);
     }
     else
     {
-      addBasis(brick, q, sum, weight);
+      addBasis(brick, q, 0u, sum, weight);
     }
     if (others == 0u)
     {

@@ -53,7 +53,7 @@ void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
   const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
   vec4 lower;
   vec4 upper;
-  const vec3 f = readCells(brick, n, c, lower, upper);
+  const vec3 f = readCells(brick, n, c, 0u, lower, upper);
   vec4 present = vec4(0.0, 0.0, 0.0, 1.0);
   // Outside of the box of centres the nearest place in it counts.
   const vec4 inside = vec4(equal(insideBounds(brick, q, vec3(n)), c), true);
@@ -86,7 +86,7 @@ void addCompletedJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
   const vec3 f = q - i;
   vec4 lower;
   vec4 upper;
-  readLattice(brick, n, i, lower, upper);
+  readLattice(brick, n, i, 0u, lower, upper);
   vec4 value;
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {

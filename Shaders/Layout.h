@@ -55,7 +55,15 @@ EXABRICKS_CONST uint BLENDING_MINIMUM = 2u;
 EXABRICKS_CONST uint BLENDING_AVERAGE = 3u;
 EXABRICKS_CONST uint BLENDING_ADDITIVE = 4u;
 EXABRICKS_CONST uint BLENDING_ISOSURFACE = 5u;
+EXABRICKS_CONST uint BLENDING_SLICE = 6u;
 EXABRICKS_CONST uint MOST_ISO_VALUES = 16u;
+
+// How several components of a cell's values make one medium: a specialization constant
+// (Core/Medium.h).
+EXABRICKS_CONST uint MIXING_INDEPENDENT = 0u;
+EXABRICKS_CONST uint MIXING_COLOR_AND_OPACITY = 1u;
+EXABRICKS_CONST uint MIXING_RGBA = 2u;
+EXABRICKS_CONST uint MOST_COMPONENTS = 4u;
 
 // A box of cells of one level. 32 bytes.
 struct Brick
@@ -64,7 +72,7 @@ struct Brick
   int width;       // of a cell, in finest cells
   uint dimensions; // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
   uint unused;
-  DeviceAddress values; // of the first one; x runs fastest
+  DeviceAddress values; // of the first one; x runs fastest, and within a cell its components
 };
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
 
@@ -222,6 +230,14 @@ struct Frame
   Pair4 croppingUpper;
   uint clippingPlaneCount;
   uint shownRegions;
+
+  // For variants of several components. Their functions lie one after the other in transferBins.
+  vec4 integralUnits;    // as integralUnit, of each function
+  vec4 componentWeights; // by which extinctions are multiplied
+  vec4 colorScale;       // of MIXING_RGBA: from normalised values to red, green, blue in [0, 1]
+  vec4 colorOffset;
+
+  Pair4 slicePlane; // of BLENDING_SLICE: as clippingPlanes
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -257,7 +273,7 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2176 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
+  sizeof(Frame) == 2272 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1080,
   "as in GLSL's scalar layout");
 } // namespace layout

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which leaf cell a ray is in, and where it leaves it.
 
-// The leaf cell that the ray enters at `distance`: its value, and `end`, which comes as the end of the
-// region and goes as the end of the cell, if that is nearer. The region lies in leaf cells, so one of
-// its bricks holds the point; by rounding it may miss them all by a hair, so take the closest. False:
-// the cell is absent.
-bool findCell(
-  Brick brick, uint others, Ray ray, float distance, inout float end, out float value)
+// The leaf cell that the ray enters at `distance`: the brick that holds it, where it is there, and
+// `end`, which comes as the end of the region and goes as the end of the cell, if that is nearer. The
+// region lies in leaf cells, so one of its bricks holds the point; by rounding it may miss them all by
+// a hair, so take the closest.
+void findHolder(Brick brick, uint others, Ray ray, float distance, inout float end,
+  out Brick holder, out uvec3 cell)
 {
   const float inside = min(behindFace(distance), end);
   float closest = 1e30;
-  Brick holder = brick;
-  uvec3 cell = uvec3(0);
+  holder = brick;
+  cell = uvec3(0);
   while (true)
   {
     const uvec3 n = cellsOf(brick);
@@ -31,7 +31,6 @@ bool findCell(
     }
     brick = nextBrick(others);
   }
-  value = valueAt(holder, cellsOf(holder), cell);
   const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));
   const ivec3 face = holder.lo + 2 * holder.width * ahead;
   vec3 leaves = vec3(planeDistance(ray, face.x, 0), planeDistance(ray, face.y, 1),
@@ -40,5 +39,15 @@ bool findCell(
   leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
   const float leave = min(leaves.x, min(leaves.y, leaves.z));
   end = min(end, max(leave, inside));
+}
+
+// The same with the cell's value. False: the cell is absent.
+bool findCell(
+  Brick brick, uint others, Ray ray, float distance, inout float end, out float value)
+{
+  Brick holder;
+  uvec3 cell;
+  findHolder(brick, others, ray, distance, end, holder, cell);
+  value = valueAt(holder, cellsOf(holder), cell, 0u);
   return value >= 0.0;
 }

@@ -54,9 +54,11 @@ float attenuate(Light light, vec3 place, out vec3 toLight)
   return cosine >= light.cosineOfCone ? attenuation * pow(cosine, light.exponent) : 0.0;
 }
 
-float sided(float cosine)
+// How much a light shines into the eye from a normal that it reaches at a cosine.
+float shineOf(float cosine, vec3 normal, vec3 toLight, vec3 view)
 {
-  return max(constants.frame.twoSided != 0u ? abs(cosine) : cosine, 0.0);
+  const float shine = dot(2.0 * cosine * normal - toLight, view);
+  return shine > 0.0 ? pow(shine, constants.frame.specularPower) : 0.0;
 }
 
 // Premultiplied colour and opacity, as they are lit.
@@ -72,10 +74,13 @@ vec4 shade(vec4 color, Spot spot)
     const Light light = constants.frame.lights[i];
     vec3 toLight;
     const float reaching = attenuate(light, place, toLight);
-    diffuse += light.diffuse * (reaching * sided(dot(normal, toLight)));
-    const float shine = sided(dot(normal, normalize(toLight + view)));
-    specular += light.specular *
-      (shine > 0.0 ? reaching * pow(shine, constants.frame.specularPower) : 0.0);
+    const float cosine = dot(normal, toLight);
+    const float lit = constants.frame.twoSided != 0u ? abs(cosine) : max(cosine, 0.0);
+    diffuse += light.diffuse * (reaching * lit);
+    if (lit > 0.0)
+    {
+      specular += light.specular * (reaching * shineOf(cosine, normal, toLight, view));
+    }
   }
   return vec4(color.rgb * (constants.frame.ambient + constants.frame.diffuse * diffuse) +
       color.a * constants.frame.specular * specular, color.a);

@@ -39,6 +39,12 @@
 #include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
+#if defined(FAMILY_COMPONENTS)
+#include "Components.glsl"
+#include "MarchComponents.glsl"
+#elif defined(FAMILY_PROJECTION)
+#include "Slice.glsl"
+#endif
 #include "MarchOn.glsl"
 #ifdef TRAVERSAL_KDTREE
 #include "TraverseKdTree.glsl"

@@ -2,6 +2,16 @@
 // The next piece of the region that the ray is in.
 void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
+#if defined(FAMILY_COMPONENTS)
+  marchComponents(ray, cursor, gathered);
+#else
+#if defined(FAMILY_PROJECTION)
+  if (isSlice)
+  {
+    marchSlice(ray, cursor, gathered);
+    return;
+  }
+#endif
   if (isNearest)
   {
     marchCell(ray, cursor, gathered);
@@ -10,4 +20,5 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   {
     marchInterval(ray, cursor, gathered);
   }
+#endif
 }

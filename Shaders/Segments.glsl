@@ -63,5 +63,9 @@ bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
   {
     return false;
   }
+  if (isSlice && !slice(f, segment.line, segment.begin, segment.end))
+  {
+    return false;
+  }
   return segment.begin.high <= exit && isLess(segment.begin, segment.end);
 }

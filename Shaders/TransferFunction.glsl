@@ -14,11 +14,24 @@ struct TransferPart
   int opaque;
 };
 
+// Of several functions, which one is looked up.
+#ifdef FAMILY_COMPONENTS
+uint firstBin = 0u;
+void selectFunction(uint number)
+{
+  firstBin = number * uint(TRANSFER_BINS);
+  integralUnit = constants.frame.integralUnits[number];
+  inverseIntegralUnit = 1.0 / integralUnit;
+}
+#else
+const uint firstBin = 0u;
+#endif
+
 vec2 unpackFloats(Word word) { return uintBitsToFloat(unpackWord(word)); }
 
 TransferBin readBin(uint i)
 {
-  const uint at = TRANSFER_BIN_WORDS * i;
+  const uint at = TRANSFER_BIN_WORDS * (firstBin + i);
   TransferBin bin;
   bin.lower = vec4(unpackFloats(transferBins.words[at]), unpackFloats(transferBins.words[at + 1u]));
   bin.upper =

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a pipeline is specialised for (MarchVariant.h): the code of one choice alone is compiled.
-// Drivers take long to drop what is not chosen, so that there is a module for each of four families:
-// FAMILY_PROJECTION, FAMILY_ISOSURFACE, FAMILY_COMPOSITE, and in the most frequent one, which has no
-// name, what is emitted and absorbed alone.
+// Drivers take long to drop what is not chosen, so that there is a module for each of five families:
+// FAMILY_PROJECTION, FAMILY_ISOSURFACE, FAMILY_COMPOSITE, FAMILY_COMPONENTS, and in the most frequent
+// one, which has no name, what is emitted and absorbed alone.
 layout(constant_id = 0) const uint reconstruction = RECONSTRUCTION_BASIS;
 // Rays begin at depths of their own; else at the near plane, and nothing is read.
 layout(constant_id = 1) const bool beginsAtDepth = false;
 // Pixels are taken by a counter, in place of being dealt out with the groups: for drivers that deal
 // each thread one run of groups, as those of CPUs do, of which one may cost much more than another.
 layout(constant_id = 2) const bool takesPixels = false;
-#if defined(FAMILY_PROJECTION) || defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE)
+#if defined(FAMILY_PROJECTION) || defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE) ||           \
+  defined(FAMILY_COMPONENTS)
 // Clipping planes shorten the rays.
 layout(constant_id = 3) const bool clipped = false;
 // Cropping leaves several pieces of a ray.
@@ -33,6 +34,7 @@ const bool isComposite = blending == BLENDING_COMPOSITE;
 const bool isIsosurface = blending == BLENDING_ISOSURFACE;
 #endif
 const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
+const bool isSlice = blending == BLENDING_SLICE;
 // The rest of what is seen is lit, and less opaque where the field changes little.
 #if defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE)
 layout(constant_id = 8) const bool isShaded = false;
@@ -43,6 +45,14 @@ const bool isShaded = false;
 layout(constant_id = 9) const bool hasGradientOpacity = false;
 #else
 const bool hasGradientOpacity = false;
+#endif
+
+// Of each cell's values, and how they make one medium.
+#if defined(FAMILY_COMPONENTS)
+layout(constant_id = 6) const uint componentCount = 2u;
+layout(constant_id = 7) const uint mixing = MIXING_INDEPENDENT;
+#else
+const uint componentCount = 1u;
 #endif
 
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;

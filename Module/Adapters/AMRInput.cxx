@@ -48,14 +48,17 @@ double findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
 class Reader
 {
 public:
-  explicit Reader(vtkOverlappingAMR* amr)
+  Reader(vtkOverlappingAMR* amr, const LevelRange& levels)
     : AMR(amr)
+    , Levels(levels)
   {
   }
 
   AMRInput read()
   {
-    for (unsigned int level = 0; level < this->AMR->GetNumberOfLevels() && this->Ok(); ++level)
+    const unsigned int count = this->AMR->GetNumberOfLevels();
+    for (unsigned int level = this->Levels.first;
+         level < count && level <= this->Levels.last && this->Ok(); ++level)
     {
       for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Ok(); ++index)
       {
@@ -67,9 +70,7 @@ public:
     }
     if (this->Ok() && this->Input.grids.empty())
     {
-      this->Input.fault = "expected an AMR with at least one block, found none in its " +
-        std::to_string(this->AMR->GetNumberOfLevels()) +
-        " levels. Let the reader read more levels, or check the file";
+      this->Input.fault = this->DescribeNoBlocks();
     }
     if (this->Ok())
     {
@@ -80,6 +81,17 @@ public:
 
 private:
   bool Ok() const { return this->Input.fault.empty(); }
+
+  std::string DescribeNoBlocks() const
+  {
+    const std::string levels = std::to_string(this->AMR->GetNumberOfLevels()) + " levels";
+    return this->Levels.first == 0 && this->Levels.last + 1 >= this->AMR->GetNumberOfLevels()
+      ? "expected an AMR with at least one block, found none in its " + levels +
+        ". Let the reader read more levels, or check the file"
+      : "expected at least one block from level " + std::to_string(this->Levels.first) + " to " +
+        std::to_string(this->Levels.last) + ", found none, of " + levels +
+        ". Call SetLevelRange() with levels that are there";
+  }
 
   void AddBlock(unsigned int level, unsigned int index, vtkDataSet* block)
   {
@@ -189,6 +201,7 @@ private:
   }
 
   vtkOverlappingAMR* AMR;
+  const LevelRange Levels;
   AMRInput Input;
   std::vector<glm::dvec3> Spacings; // [level of the hierarchy]
 };
@@ -197,19 +210,24 @@ private:
 struct RowReader
 {
   template <typename Array>
-  void operator()(
-    Array* array, vtkIdType first, std::int64_t count, int component, double* values) const
+  void operator()(Array* array, vtkIdType first, std::int64_t count, int component, bool needsAll,
+    double* values) const
   {
     const vtkDataArrayAccessor<Array> get(array);
+    const int components = array->GetNumberOfComponents();
     if (component >= 0)
     {
       for (std::int64_t i = 0; i < count; ++i)
       {
         values[i] = static_cast<double>(get.Get(first + i, component));
+        for (int c = 0; needsAll && c < components; ++c)
+        {
+          const bool there = std::isfinite(static_cast<double>(get.Get(first + i, c)));
+          values[i] = there ? values[i] : std::numeric_limits<double>::quiet_NaN();
+        }
       }
       return;
     }
-    const int components = array->GetNumberOfComponents();
     for (std::int64_t i = 0; i < count; ++i)
     {
       double sum = 0.0;
@@ -228,19 +246,22 @@ struct BoxReader
 {
   template <typename Array>
   void operator()(Array* array, const std::vector<vtkIdType>& rows, std::int64_t count,
-    int component, double* values) const
+    int component, bool needsAll, double* values) const
   {
     const RowReader readRow;
     for (const vtkIdType row : rows)
     {
-      readRow(array, row, count, component, values);
+      readRow(array, row, count, component, needsAll, values);
       values += count;
     }
   }
 };
 }
 
-AMRInput readAMR(vtkOverlappingAMR* amr) { return Reader(amr).read(); }
+AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels)
+{
+  return Reader(amr, levels).read();
+}
 
 AMRCellSource::AMRCellSource(const AMRInput& input, int component)
   : Component(component)
@@ -269,6 +290,12 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
         });
     }
   }
+}
+
+void AMRCellSource::selectOfAll(int component)
+{
+  this->Component = component;
+  this->NeedsAll = true;
 }
 
 void AMRCellSource::setArray(int block, vtkDataArray* array)
@@ -306,9 +333,10 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   const int component = source.array->GetNumberOfComponents() == 1 ? 0 : this->Component;
   const BoxReader readBox;
   vtkDataArray* array = source.array;
-  if (!vtkArrayDispatch::Dispatch::Execute(array, readBox, rows, count, component, values))
+  if (!vtkArrayDispatch::Dispatch::Execute(
+        array, readBox, rows, count, component, this->NeedsAll, values))
   {
-    readBox(array, rows, count, component, values);
+    readBox(array, rows, count, component, this->NeedsAll, values);
   }
   if (source.ghosts)
   {

@@ -8,6 +8,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <limits>
+
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
@@ -25,8 +27,16 @@ struct AMRInput
   std::string fault;         // empty, or why it cannot be drawn
 };
 
-/// Reads boxes, origin and spacing, and no values.
-AMRInput readAMR(vtkOverlappingAMR* amr);
+/// Levels of an AMR, from the one number to the other.
+struct LevelRange
+{
+  unsigned int first = 0;
+  unsigned int last = std::numeric_limits<unsigned int>::max();
+};
+
+/// Reads boxes, origin and spacing, and no values. Levels outside of the range are left out, as if
+/// they were not there.
+AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels = {});
 
 /// Reads cells of the blocks' arrays, of any type; hidden cells as absent ones.
 class AMRCellSource : public CellSource
@@ -34,6 +44,9 @@ class AMRCellSource : public CellSource
 public:
   /// `component`: which one to read of an array with several; -1: their magnitude.
   AMRCellSource(const AMRInput& input, int component);
+
+  /// Reads another component; cells of which any component is not finite are absent then.
+  void selectOfAll(int component);
 
   /// The block's array, one value for each cell of its grid.
   void setArray(int block, vtkDataArray* array);
@@ -55,6 +68,7 @@ private:
   void ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const;
 
   int Component;
+  bool NeedsAll = false; // components to be finite
   std::vector<Source> Sources;
 };
 }

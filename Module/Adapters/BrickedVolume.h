@@ -18,7 +18,8 @@ struct BrickedVolume
   glm::dvec3 spacing{ 1.0 }; // world size of a finest cell
   std::vector<int> amrLevel; // of each level of the hierarchy, which leaves out empty ones
   std::string arrayName;
-  int components = 1;         // of the array
+  int components = 1;         // of the array, of which the volume may have one, or all
+  double brightest = 1.0;     // what the array's type has for the brightest red, green or blue
   double structureTime = 0.0; // s
   double valuesTime = 0.0;    // s
 

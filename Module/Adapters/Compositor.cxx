@@ -2,6 +2,7 @@
 #include "Adapters/Compositor.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkHardwareSelector.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
@@ -18,7 +19,7 @@ std::string refuse(const Viewport& viewport)
 
 std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren,
   vtkVolume* vol, const std::function<View(int width, int height)>& makeView,
-  VolumeRenderer& renderer, const VolumeRenderer::Progress& progress)
+  const ColorWindow& colors, VolumeRenderer& renderer, const VolumeRenderer::Progress& progress)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   if (!window)
@@ -34,7 +35,7 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   View view = makeView(viewport.width, viewport.height);
   if (this->Peel.begin(mapper, vol))
   {
-    return this->DrawPeel(window, viewport, view, renderer, progress);
+    return this->DrawPeel(window, viewport, view, colors, renderer, progress);
   }
   const OpaqueDepth opaque = readDepth(window, viewport, this->Depth);
   if (opaque == OpaqueDepth::Refused)
@@ -52,11 +53,69 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   {
     return std::nullopt;
   }
+  colors.apply(this->Back);
+  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
+}
+
+bool marksProps(vtkHardwareSelector* selector)
+{
+  return selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS ||
+    selector->GetCurrentPass() == vtkHardwareSelector::PROCESS_PASS;
+}
+
+std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
+  const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
+  const Viewport viewport = findViewport();
+  if (!window || viewport.width <= 0 || viewport.height <= 0)
+  {
+    return std::string();
+  }
+  View view = makeView(viewport.width, viewport.height);
+  if (readDepth(window, viewport, this->Depth) != OpaqueDepth::Read)
+  {
+    this->Depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
+  }
+  vtkHardwareSelector* const selector = ren->GetSelector();
+  float color[3];
+  selector->BeginRenderProp();
+  selector->GetPropColorValue(color);
+  selector->EndRenderProp();
+  if (color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f)
+  {
+    return std::string(); // it has no number for the prop, and would lose what is behind it
+  }
+  // Outside of the area rays end where they begin.
+  const unsigned int* const area = selector->GetArea();
+  for (int y = 0; y < viewport.height; ++y)
+  {
+    for (int x = 0; x < viewport.width; ++x)
+    {
+      const auto atX = static_cast<unsigned int>(x + viewport.x);
+      const auto atY = static_cast<unsigned int>(y + viewport.y);
+      if (atX < area[0] || atX > area[2] || atY < area[1] || atY > area[3])
+      {
+        this->Depth[static_cast<std::size_t>(y) * viewport.width + x] = 0.0f;
+      }
+    }
+  }
+  view.target.depth = this->Depth.data();
+  const std::string fault = renderer.render(view, this->Back);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  for (glm::vec4& pixel : this->Back)
+  {
+    pixel =
+      pixel.a > 3.0f / 255.0f ? glm::vec4(color[0], color[1], color[2], 1.0f) : glm::vec4(0.0f);
+  }
   return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
 }
 
 std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
-  const Viewport& viewport, View view, VolumeRenderer& renderer,
+  const Viewport& viewport, View view, const ColorWindow& colors, VolumeRenderer& renderer,
   const VolumeRenderer::Progress& progress)
 {
   RayPieces back;
@@ -103,6 +162,8 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
   {
     return std::nullopt;
   }
+  colors.apply(this->Back);
+  colors.apply(this->Front);
   return this->Picture.draw(window, viewport, this->Peel, this->Back, this->Front)
     ? std::string()
     : refuse(viewport);

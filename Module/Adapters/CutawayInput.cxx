@@ -7,6 +7,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,11 @@ namespace exabricks
 {
 namespace
 {
+bool isFinite(const glm::dvec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 // What is left lies along the normal.
 struct WorldPlane
 {
@@ -28,6 +34,10 @@ struct WorldPlane
   {
     plane->GetOrigin(&this->origin.x);
     plane->GetNormal(&this->normal.x);
+  }
+  bool isPlane() const
+  {
+    return isFinite(this->origin) && isFinite(this->normal) && this->normal != glm::dvec3(0.0);
   }
 };
 
@@ -48,11 +58,6 @@ std::vector<WorldPlane> getClippingPlanes(vtkVolumeMapper* mapper)
 }
 
 bool isNaN(double number) { return std::isnan(number); }
-
-bool isFinite(const glm::dvec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::string toText(const glm::dvec3& v)
 {
@@ -89,7 +94,7 @@ std::string checkCutaway(vtkVolumeMapper* mapper)
   }
   for (const WorldPlane& plane : planes)
   {
-    if (!isFinite(plane.origin) || !isFinite(plane.normal) || plane.normal == glm::dvec3(0.0))
+    if (!plane.isPlane())
     {
       return "expected clipping planes with finite origins and normals that are not 0, found one "
              "of "
@@ -126,5 +131,29 @@ Cutaway makeCutaway(vtkVolumeMapper* mapper, vtkVolume* volume, const BrickedVol
       inHalfCells({ planes[1], planes[3], planes[5] }), flags };
   }
   return cutaway;
+}
+
+std::string checkSlice(vtkVolume* volume)
+{
+  vtkImplicitFunction* function = volume->GetProperty()->GetSliceFunction();
+  vtkPlane* plane = vtkPlane::SafeDownCast(function);
+  if (!plane)
+  {
+    return "expected a vtkPlane as slice function for blend mode slice, found " +
+      (function ? "a " + std::string(function->GetClassName()) : "none") +
+      ". Call SetSliceFunction() of the volume property";
+  }
+  const WorldPlane found(plane);
+  return found.isPlane() ? std::string()
+                         : "expected a slice function with a finite origin and a normal that is "
+                           "not 0, found origin " +
+      toText(found.origin) + " and normal " + toText(found.normal) + ". Call its SetNormal()";
+}
+
+glm::dvec4 findSlicePlane(vtkVolume* volume, const BrickedVolume& bricked)
+{
+  vtkPlane* plane = vtkPlane::SafeDownCast(volume->GetProperty()->GetSliceFunction());
+  return plane ? toHalfCells(WorldPlane(plane), toGLM(volume->GetMatrix()), bricked)
+               : glm::dvec4(0.0, 0.0, 1.0, 0.0);
 }
 }

@@ -34,78 +34,38 @@ bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
   }
   return gradientOpacity->GetSize() == 0 || !gradientOpacity->GetClamping();
 }
-
-void checkComponents(
-  vtkVolumeProperty* property, int components, bool vectorModeChosen, Requests& requests)
-{
-  if (components == 1)
-  {
-    return;
-  }
-  if (!property->GetIndependentComponents())
-  {
-    requests.refused = "expected independent components, found " + std::to_string(components) +
-      " dependent ones (such as RGBA), which are not supported yet. Call IndependentComponentsOn() "
-      "of the volume property, and choose a component or the magnitude";
-    return;
-  }
-  if (!vectorModeChosen)
-  {
-    requests.drawnWithout.push_back(
-      "Several independent components are not supported yet: of the " + std::to_string(components) +
-      " of the array the magnitude is drawn, with the functions of component 0. Call "
-      "SetVectorModeToMagnitude() if that is meant, or SetVectorModeToComponent() and "
-      "SetVectorComponent().");
-  }
-  for (int component = 0; component < std::min(components, VTK_MAX_VRCOMP); ++component)
-  {
-    if (property->GetComponentWeight(component) != 1.0)
-    {
-      requests.drawnWithout.push_back("Weights of components are not supported yet: the volume is "
-                                      "drawn without them.");
-      break;
-    }
-  }
 }
 
-void checkValues(vtkVolumeProperty* property, const MapperSettings& settings, Requests& requests)
+bool hasGradientOpacity(vtkVolumeProperty* property, int component)
 {
-  const double unit = property->GetScalarOpacityUnitDistance(0);
-  if (!(unit > 0.0) || !std::isfinite(unit) || !std::isfinite(settings.stepScale) ||
-    !std::isfinite(settings.errorTolerance))
-  {
-    requests.refused =
-      "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
-      "ErrorTolerance, found " +
-      std::to_string(unit) + ", " + std::to_string(settings.stepScale) + " and " +
-      std::to_string(settings.errorTolerance);
-  }
-}
-}
-
-bool hasGradientOpacity(vtkVolumeProperty* property)
-{
-  return !property->GetDisableGradientOpacity(0) && property->HasGradientOpacity(0) &&
-    changesOpacity(property->GetGradientOpacity(0));
+  return !property->GetDisableGradientOpacity(component) &&
+    property->HasGradientOpacity(component) &&
+    changesOpacity(property->GetGradientOpacity(component));
 }
 
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
-  static const char* const blendModes[] = { "composite", "maximum intensity", "minimum intensity",
-    "average intensity", "additive", "iso-surface", "slice" };
   Requests requests;
-  const int mode = mapper->GetBlendMode();
-  if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::ISOSURFACE_BLEND)
+  if (volume->IsA("vtkMultiVolume"))
   {
-    const bool known = mode >= 0 && mode < static_cast<int>(std::size(blendModes));
-    requests.refused = std::string("expected blend mode composite, maximum, minimum or average "
-                                   "intensity, additive or iso-surface, found ") +
-      (known ? blendModes[mode] : std::to_string(mode).c_str()) +
-      ", which is not supported yet. Call SetBlendModeToComposite()";
+    requests.refused =
+      "expected a vtkVolume, found a vtkMultiVolume, which takes VTK's GPU mapper of "
+      "images alone. Add a vtkVolume to the renderer for each AMR";
+    return requests;
+  }
+  const int mode = mapper->GetBlendMode();
+  if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::SLICE_BLEND)
+  {
+    requests.refused = "expected one of vtkVolumeMapper's blend modes, found " +
+      std::to_string(mode) + ". Call SetBlendModeToComposite()";
     return requests;
   }
   requests.refused = checkCutaway(mapper);
+  if (requests.refused.empty() && mode == vtkVolumeMapper::SLICE_BLEND)
+  {
+    requests.refused = checkSlice(volume);
+  }
   const int isoValues = property->GetIsoSurfaceValues()->GetNumberOfContours();
   if (mode == vtkVolumeMapper::ISOSURFACE_BLEND &&
     (isoValues < 1 || isoValues > static_cast<int>(layout::MOST_ISO_VALUES)))
@@ -121,6 +81,11 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     without(
       "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
   }
+  if (mode != vtkVolumeMapper::COMPOSITE_BLEND && hasGradientOpacity(property))
+  {
+    without("Gradient opacity counts with blend mode composite alone: the volume is drawn without "
+            "it.");
+  }
   if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
   {
     without(
@@ -135,15 +100,24 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   return requests;
 }
 
-Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settings, int components)
+std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& settings)
 {
-  Requests requests;
-  checkComponents(property, components, settings.vectorModeChosen, requests);
-  if (requests.refused.empty())
+  const ColorWindow& colors = settings.colors;
+  if (!std::isfinite(colors.window) || colors.window == 0.0 || !std::isfinite(colors.level))
   {
-    checkValues(property, settings, requests);
+    return "expected a finite FinalColorWindow that is not 0 and a finite FinalColorLevel, found " +
+      std::to_string(colors.window) + " and " + std::to_string(colors.level);
   }
-  return requests;
+  const double unit = property->GetScalarOpacityUnitDistance(0);
+  if (unit > 0.0 && std::isfinite(unit) && std::isfinite(settings.stepScale) &&
+    std::isfinite(settings.errorTolerance))
+  {
+    return {};
+  }
+  return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
+         "ErrorTolerance, found " +
+    std::to_string(unit) + ", " + std::to_string(settings.stepScale) + " and " +
+    std::to_string(settings.errorTolerance);
 }
 
 Blending findBlending(vtkVolumeMapper* mapper)
@@ -160,6 +134,8 @@ Blending findBlending(vtkVolumeMapper* mapper)
       return Blending::Additive;
     case vtkVolumeMapper::ISOSURFACE_BLEND:
       return Blending::Isosurface;
+    case vtkVolumeMapper::SLICE_BLEND:
+      return Blending::Slice;
     default:
       return Blending::Composite;
   }

@@ -4,6 +4,7 @@
 #ifndef ExaBricksAdaptersPropertyInput_h
 #define ExaBricksAdaptersPropertyInput_h
 
+#include "Adapters/ColorWindow.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Core/Blending.h"
 
@@ -27,18 +28,17 @@ struct MapperSettings
 {
   double stepScale = 1.0;
   double errorTolerance = 0.0;
-  // Whether somebody chose it, or it is the default.
-  bool vectorModeChosen = false;
+  ColorWindow colors;
 };
 
-/// Whether the property's opacity of component 0 depends on gradients.
-bool hasGradientOpacity(vtkVolumeProperty* property);
+/// Whether the property's opacity of a component depends on gradients.
+bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 
 /// Checks what can be told without data.
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 
-/// Checks the rest, for an array of so many components.
-Requests checkWithData(vtkVolumeProperty* property, const MapperSettings& settings, int components);
+/// Checks the numbers: returns what is refused, or nothing.
+std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& settings);
 
 /// The mapper's blend mode, which checkWithoutData() has let pass, and the range of values that
 /// count for the average, over `range` of the array's values.

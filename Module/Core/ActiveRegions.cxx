@@ -3,6 +3,7 @@
 
 #include "Core/KdLink.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace exabricks
@@ -11,16 +12,24 @@ namespace
 {
 constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF };
 
+// The ranges of a component, and the function by which it shows.
+struct Shown
+{
+  const ValueRanges* ranges;
+  const TransferFunction* transfer;
+};
+
 class Selection
 {
 public:
-  Selection(const Volume& volume, const ValueRanges& ranges, const TransferFunction& transfer,
+  // `ranges`: of the first component, by which steps are weighted.
+  Selection(const Volume& volume, const ValueRanges& ranges, std::vector<Shown> shown,
     const StepWeights* weights, bool boxes)
     : Subject(*volume.structure)
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
     , Ranges(ranges)
-    , Transfer(transfer)
+    , Components(std::move(shown))
     , Weights(weights)
     , WantsBoxes(boxes)
   {
@@ -55,6 +64,18 @@ private:
     return { plane, makeLink(place, static_cast<std::uint32_t>(axis)) };
   }
 
+  bool ShowsRegion(std::uint32_t region) const
+  {
+    return std::any_of(this->Components.begin(), this->Components.end(),
+      [=](const Shown& of) { return of.transfer->visible(of.ranges->regions[region]); });
+  }
+
+  bool ShowsMacrocell(std::size_t i) const
+  {
+    return std::any_of(this->Components.begin(), this->Components.end(),
+      [=](const Shown& of) { return of.transfer->visible(of.ranges->macrocells[i]); });
+  }
+
   layout::KdNode Select(std::size_t n)
   {
     const layout::KdNode& node = this->Tree.nodes[n];
@@ -72,7 +93,7 @@ private:
     {
       ++this->NextGrid;
     }
-    if (region.brickCount == 0 || !this->Transfer.visible(this->Ranges.regions[index]))
+    if (region.brickCount == 0 || !this->ShowsRegion(index))
     {
       return Nothing;
     }
@@ -101,13 +122,12 @@ private:
       {
         for (int x = begin.x; x < end.x; ++x)
         {
-          const ValueRange& values =
-            this->Ranges
-              .macrocells[grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z)];
-          const bool shown = this->Transfer.visible(values);
+          const std::size_t macrocell =
+            grid.firstRange + x + n.x * (y + static_cast<std::size_t>(n.y) * z);
+          const bool shown = this->ShowsMacrocell(macrocell);
           if (shown)
           {
-            range.add(values);
+            range.add(this->Ranges.macrocells[macrocell]);
             first = glm::min(first, glm::ivec3(x, y, z));
             last = glm::max(last, glm::ivec3(x, y, z) + 1);
           }
@@ -177,7 +197,7 @@ private:
   const RegionTree& Tree;
   const std::vector<unsigned char>& BrickHasAbsentCells;
   const ValueRanges& Ranges;
-  const TransferFunction& Transfer;
+  const std::vector<Shown> Components;
   const StepWeights* Weights;
   const bool WantsBoxes;
   ActiveRegions Result;
@@ -188,7 +208,21 @@ private:
 ActiveRegions selectActiveRegions(
   const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
 {
-  return Selection(volume, volume.values->ranges, transfer, weights, boxes).take();
+  return selectActiveRegions(volume, std::vector{ &transfer }, weights, boxes);
+}
+
+ActiveRegions selectActiveRegions(const Volume& volume,
+  const std::vector<const TransferFunction*>& transfers, const StepWeights* weights, bool boxes)
+{
+  std::vector<Shown> shown;
+  for (std::size_t k = 0; k < transfers.size(); ++k)
+  {
+    if (transfers[k])
+    {
+      shown.push_back({ &volume.valuesOf(k)->ranges, transfers[k] });
+    }
+  }
+  return Selection(volume, volume.values->ranges, std::move(shown), weights, boxes).take();
 }
 
 ActiveRegions selectAllRegions(const Volume& volume, bool boxes)
@@ -196,7 +230,7 @@ ActiveRegions selectAllRegions(const Volume& volume, bool boxes)
   ValueRanges whole;
   whole.regions.assign(volume.structure->tree.regions.size(), { 0.0f, 1.0f });
   const TransferFunction opaque({ { 0.0, glm::dvec4(1.0) } });
-  return Selection(volume, whole, opaque, nullptr, boxes).take();
+  return Selection(volume, whole, { { &whole, &opaque } }, nullptr, boxes).take();
 }
 
 void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)

@@ -26,6 +26,12 @@ struct ActiveRegions
 ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
   const StepWeights* weights = nullptr, bool boxes = true);
 
+/// The same for several components, each with the function by which it shows, or null where it does
+/// not matter: what any of them shows is active.
+ActiveRegions selectActiveRegions(const Volume& volume,
+  const std::vector<const TransferFunction*>& transfers, const StepWeights* weights = nullptr,
+  bool boxes = true);
+
 /// The same with each region that has bricks, as a whole, whatever its values: for comparisons.
 ActiveRegions selectAllRegions(const Volume& volume, bool boxes = true);
 

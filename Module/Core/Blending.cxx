@@ -96,6 +96,7 @@ TransferFunction findVisibility(const TransferFunction& transfer, Blending blend
   switch (blending)
   {
     case Blending::Composite:
+    case Blending::Slice:
       return transfer;
     case Blending::Average:
       if (!(averageRange.x <= averageRange.y))

@@ -12,12 +12,13 @@ namespace exabricks
 /// As vtkVolumeMapper's blend modes of these names. v is the normalised value, o(v) its opacity.
 enum class Blending
 {
-  Composite, // absorption and emission, front to back
-  Maximum,   // colour and opacity of the greatest value, at whatever length
-  Minimum,   // and of the least
-  Average,   // grey: the mean of o(v) v over the length on which v lies in a range; opaque
-  Additive,  // grey: the integral of o(v) v over length in unit distances; opaque
-  Isosurface // surfaces of some values, of their colour and opacity
+  Composite,  // absorption and emission, front to back
+  Maximum,    // colour and opacity of the greatest value, at whatever length
+  Minimum,    // and of the least
+  Average,    // grey: the mean of o(v) v over the length on which v lies in a range; opaque
+  Additive,   // grey: the integral of o(v) v over length in unit distances; opaque
+  Isosurface, // surfaces of some values, of their colour and opacity
+  Slice       // a plane, of the colour and opacity of the values there
 };
 
 /// The function that is looked up along a ray. `averageRange`: normalised values that count for

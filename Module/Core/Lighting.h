@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a volume is shaded: Blinn and Phong's model, on normals against the gradient of the field.
+// How a volume is shaded: Phong's model, on normals against the gradient of the field.
 #ifndef ExaBricksCoreLighting_h
 #define ExaBricksCoreLighting_h
 

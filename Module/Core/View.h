@@ -75,7 +75,9 @@ struct View
   Blending blending = Blending::Composite;
   glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
   std::vector<double> isoValues;       // normalised, ascending, for Blending::Isosurface
-  std::optional<Lighting> lighting;    // none: colours are those of the transfer function
+  /// For Blending::Slice: as the planes of the cutaway.
+  glm::dvec4 slicePlane{ 0.0, 0.0, 1.0, 0.0 };
+  std::optional<Lighting> lighting; // none: colours are those of the transfer function
 };
 
 /// Whether both show the same in the same size, but for depths.
@@ -89,7 +91,8 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
-    a.averageRange == b.averageRange && a.isoValues == b.isoValues && a.lighting == b.lighting;
+    a.averageRange == b.averageRange && a.isoValues == b.isoValues &&
+    a.slicePlane == b.slicePlane && a.lighting == b.lighting;
 }
 }
 

@@ -13,9 +13,17 @@ struct Volume
 {
   std::shared_ptr<const Structure> structure;
   std::shared_ptr<const Values> values;
+  /// Of further components of the array. A cell has all of its components, or is absent.
+  std::vector<std::shared_ptr<const Values>> furtherValues{};
 
   /// Whether there is anything to draw.
   explicit operator bool() const { return this->structure && this->values; }
+
+  std::size_t components() const { return 1 + this->furtherValues.size(); }
+  const std::shared_ptr<const Values>& valuesOf(std::size_t component) const
+  {
+    return component == 0 ? this->values : this->furtherValues[component - 1];
+  }
 };
 }
 

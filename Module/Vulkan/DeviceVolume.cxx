@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/DeviceVolume.h"
 
+#include <algorithm>
+
 namespace exabricks
 {
 namespace vulkan
@@ -19,17 +21,18 @@ void DeviceVolume::MakeValueBuffers(const Volume& volume)
   const std::vector<std::uint64_t>& firstValue = volume.values->firstValue;
   const std::size_t bricks = firstValue.size() - 1;
   const vk::DeviceSize largest = this->Owner->maximumValueBuffer();
+  const vk::DeviceSize cell = volume.components() * sizeof(float);
   this->Values.clear();
   this->Layer = volume.values->layer;
   for (std::size_t first = 0; first < bricks;)
   {
     std::size_t last = first + 1;
-    while (last < bricks && (firstValue[last + 1] - firstValue[first]) * sizeof(float) <= largest)
+    while (last < bricks && (firstValue[last + 1] - firstValue[first]) * cell <= largest)
     {
       ++last;
     }
     this->Values.push_back({ first, last,
-      Buffer(this->Owner, (firstValue[last] - firstValue[first]) * sizeof(float), Residence::Device,
+      Buffer(this->Owner, (firstValue[last] - firstValue[first]) * cell, Residence::Device,
         "the cells' values") });
     first = last;
   }
@@ -45,11 +48,41 @@ void DeviceVolume::setValues(const Volume& volume)
   }
   for (ValueBuffer& buffer : this->Values)
   {
-    buffer.values.upload(values.ofBrick(buffer.firstBrick), buffer.values.bytes());
+    this->UploadValues(volume, buffer);
   }
   if (this->Bricks.bytes() == 0 || values.brickHasAbsentCells != this->BrickHasAbsentCells)
   {
     this->UploadBricks(volume);
+  }
+}
+
+void DeviceVolume::UploadValues(const Volume& volume, ValueBuffer& buffer)
+{
+  if (volume.components() == 1)
+  {
+    buffer.values.upload(volume.values->ofBrick(buffer.firstBrick), buffer.values.bytes());
+    return;
+  }
+  // The components of a cell lie side by side, some million cells at a time.
+  constexpr std::uint64_t most = 1 << 20;
+  const std::size_t components = volume.components();
+  const std::uint64_t begin = volume.values->firstValue[buffer.firstBrick];
+  const std::uint64_t end = volume.values->firstValue[buffer.lastBrick];
+  std::vector<float> mixed;
+  for (std::uint64_t first = begin; first < end; first += most)
+  {
+    const std::uint64_t count = std::min(most, end - first);
+    mixed.resize(count * components);
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      const float* const values = volume.valuesOf(k)->normalized.data() + first;
+      for (std::uint64_t i = 0; i < count; ++i)
+      {
+        mixed[i * components + k] = values[i];
+      }
+    }
+    buffer.values.upload(
+      mixed.data(), mixed.size() * sizeof(float), (first - begin) * components * sizeof(float));
   }
 }
 
@@ -70,8 +103,8 @@ void DeviceVolume::UploadBricks(const Volume& volume)
       record.width = static_cast<int>(structure.width(brick));
       record.dimensions = n.x | n.y << 8 | n.z << 16 |
         (volume.values->brickHasAbsentCells[i] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
-      record.values =
-        buffer.values.address() + (firstValue[i] - firstValue[buffer.firstBrick]) * sizeof(float);
+      record.values = buffer.values.address() +
+        (firstValue[i] - firstValue[buffer.firstBrick]) * volume.components() * sizeof(float);
       records.push_back(record);
     }
   }

@@ -16,8 +16,9 @@ public:
   /// Uploads brick lists, values and bricks. Throws Failure.
   DeviceVolume(std::shared_ptr<Device> device, const Volume& volume);
 
-  /// Uploads the values of the same structure: in place, where they have the same layer, and the
-  /// bricks with them only where other bricks have absent cells. Throws Failure.
+  /// Uploads the values of the same structure and number of components: in place, where they have
+  /// the same layer, and the bricks with them only where other bricks have absent cells. Throws
+  /// Failure.
   void setValues(const Volume& volume);
 
   /// Uploads what a traversal walks: the boxes, or without any the k-d tree. Throws Failure.
@@ -39,6 +40,7 @@ private:
   };
 
   void MakeValueBuffers(const Volume& volume);
+  void UploadValues(const Volume& volume, ValueBuffer& buffer);
   void UploadBricks(const Volume& volume);
   void UploadLists(const RegionTree& tree);
 

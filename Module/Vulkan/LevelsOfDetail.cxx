@@ -7,6 +7,20 @@ namespace exabricks
 {
 namespace vulkan
 {
+namespace
+{
+// All components of the volume, in the structure that coarsen() made of its own.
+Volume coarsenValues(const Volume& finer, const std::shared_ptr<const Structure>& structure)
+{
+  Volume coarser{ structure, coarsen(finer, *structure) };
+  for (const std::shared_ptr<const Values>& values : finer.furtherValues)
+  {
+    coarser.furtherValues.push_back(coarsen({ finer.structure, values }, *structure));
+  }
+  return coarser;
+}
+}
+
 void LevelsOfDetail::setVolume(const Volume& volume)
 {
   if (!volume)
@@ -14,24 +28,28 @@ void LevelsOfDetail::setVolume(const Volume& volume)
     this->DropFrom(0);
     return;
   }
-  if (this->empty() || volume.structure != this->volume().structure)
+  if (this->empty() || volume.structure != this->volume().structure ||
+    volume.components() != this->volume().components())
   {
     this->DropFrom(0);
     this->Levels.emplace_back();
     this->Levels.front().volume = volume;
     return;
   }
-  if (volume.values == this->volume().values)
+  if (volume.values == this->volume().values &&
+    volume.furtherValues == this->volume().furtherValues)
   {
     return;
   }
   for (Level& level : this->Levels)
   {
     level.volume.values.reset(); // of coarser ones, made when they are drawn
+    level.volume.furtherValues.clear();
     level.valuesOnDevice = false;
     level.activeOnDevice = false;
   }
   this->Levels.front().volume.values = volume.values;
+  this->Levels.front().volume.furtherValues = volume.furtherValues;
 }
 
 LevelsOfDetail::Level& LevelsOfDetail::updateFinest(
@@ -63,8 +81,8 @@ LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
     {
       if (!this->Levels[i].volume.values)
       {
-        this->Levels[i].volume.values =
-          coarsen(this->Levels[i - 1].volume, *this->Levels[i].volume.structure);
+        this->Levels[i].volume =
+          coarsenValues(this->Levels[i - 1].volume, this->Levels[i].volume.structure);
       }
     }
     this->Update(this->Levels[index], device, selection);
@@ -128,9 +146,10 @@ void LevelsOfDetail::Update(
   if (!level.activeOnDevice)
   {
     const Stopwatch watch;
-    level.onDevice->setActive(selection.transfer
-        ? selectActiveRegions(level.volume, *selection.transfer, selection.weights, selection.boxes)
-        : selectAllRegions(level.volume, selection.boxes));
+    level.onDevice->setActive(selection.transfers.empty()
+        ? selectAllRegions(level.volume, selection.boxes)
+        : selectActiveRegions(
+            level.volume, selection.transfers, selection.weights, selection.boxes));
     level.activeOnDevice = true;
     this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
   }

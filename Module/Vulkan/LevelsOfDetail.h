@@ -14,9 +14,10 @@ namespace vulkan
 /// What of a volume is walked, and in which form.
 struct Selection
 {
-  const TransferFunction* transfer = nullptr; // null: all regions with bricks, as wholes
-  const StepWeights* weights = nullptr;       // null: one cell of the finest brick everywhere
-  bool boxes = false;                         // for ray queries; else the k-d tree
+  /// [component]: null: it does not matter. Empty: all regions with bricks, as wholes.
+  std::vector<const TransferFunction*> transfers;
+  const StepWeights* weights = nullptr; // null: one cell of the finest brick everywhere
+  bool boxes = false;                   // for ray queries; else the k-d tree
 };
 
 class LevelsOfDetail

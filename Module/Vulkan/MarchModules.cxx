@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/MarchModules.h"
 
+#include "MarchKdTreeComponentsInt64Spirv.h"
+#include "MarchKdTreeComponentsSpirv.h"
 #include "MarchKdTreeCompositeInt64Spirv.h"
 #include "MarchKdTreeCompositeSpirv.h"
 #include "MarchKdTreeInt64Spirv.h"
@@ -9,6 +11,8 @@
 #include "MarchKdTreeProjectionInt64Spirv.h"
 #include "MarchKdTreeProjectionSpirv.h"
 #include "MarchKdTreeSpirv.h"
+#include "MarchRayQueryComponentsInt64Spirv.h"
+#include "MarchRayQueryComponentsSpirv.h"
 #include "MarchRayQueryCompositeInt64Spirv.h"
 #include "MarchRayQueryCompositeSpirv.h"
 #include "MarchRayQueryInt64Spirv.h"
@@ -53,6 +57,8 @@ const Family plain{ MarchKdTreeSpirv, MarchKdTreeInt64Spirv, MarchRayQuerySpirv,
   MarchRayQueryInt64Spirv };
 const Family composite{ MarchKdTreeCompositeSpirv, MarchKdTreeCompositeInt64Spirv,
   MarchRayQueryCompositeSpirv, MarchRayQueryCompositeInt64Spirv };
+const Family components{ MarchKdTreeComponentsSpirv, MarchKdTreeComponentsInt64Spirv,
+  MarchRayQueryComponentsSpirv, MarchRayQueryComponentsInt64Spirv };
 const Family projection{ MarchKdTreeProjectionSpirv, MarchKdTreeProjectionInt64Spirv,
   MarchRayQueryProjectionSpirv, MarchRayQueryProjectionInt64Spirv };
 const Family isosurface{ MarchKdTreeIsosurfaceSpirv, MarchKdTreeIsosurfaceInt64Spirv,
@@ -60,6 +66,10 @@ const Family isosurface{ MarchKdTreeIsosurfaceSpirv, MarchKdTreeIsosurfaceInt64S
 
 const Family& familyOf(const MarchVariant& variant)
 {
+  if (variant.components > 1)
+  {
+    return components;
+  }
   switch (variant.blending)
   {
     case Blending::Composite:

@@ -184,6 +184,7 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   std::copy_n(view.isoValues.begin(), frame.isoValueCount, frame.isoValues);
   frame.hasDepth = view.target.depth != nullptr;
   fillCutaway(frame, view.cutaway, fromHalfCells);
+  frame.slicePlane = toPlane(view.slicePlane, fromHalfCells);
 }
 }
 }

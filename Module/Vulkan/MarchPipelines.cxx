@@ -24,6 +24,8 @@ struct Constants
   vk::Bool32 hasGradientOpacity;
   vk::Bool32 clipped;
   vk::Bool32 cropped;
+  std::uint32_t components;
+  std::uint32_t mixing;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -36,6 +38,19 @@ std::uint32_t numberOf(Reconstruction reconstruction)
       return layout::RECONSTRUCTION_COMPLETED;
     default:
       return layout::RECONSTRUCTION_BASIS;
+  }
+}
+
+std::uint32_t numberOf(Mixing mixing)
+{
+  switch (mixing)
+  {
+    case Mixing::ColorAndOpacity:
+      return layout::MIXING_COLOR_AND_OPACITY;
+    case Mixing::RGBA:
+      return layout::MIXING_RGBA;
+    default:
+      return layout::MIXING_INDEPENDENT;
   }
 }
 
@@ -53,6 +68,8 @@ std::uint32_t numberOf(Blending blending)
       return layout::BLENDING_ADDITIVE;
     case Blending::Isosurface:
       return layout::BLENDING_ISOSURFACE;
+    case Blending::Slice:
+      return layout::BLENDING_SLICE;
     default:
       return layout::BLENDING_COMPOSITE;
   }
@@ -106,13 +123,14 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
       : vk::ShaderModuleCreateInfo({}, int64 ? this->Shader.int64Spirv : this->Shader.spirv));
   const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
     variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity,
-    variant.clipped, variant.cropped };
+    variant.clipped, variant.cropped, variant.components, numberOf(variant.mixing) };
   const auto entry = [](std::uint32_t number, std::size_t offset)
   { return vk::SpecializationMapEntry(number, static_cast<std::uint32_t>(offset), 4); };
-  const std::array<vk::SpecializationMapEntry, 8> entries{
+  const std::array<vk::SpecializationMapEntry, 10> entries{
     entry(0, offsetof(Constants, reconstruction)), entry(1, offsetof(Constants, beginsAtDepth)),
     entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, clipped)),
     entry(4, offsetof(Constants, cropped)), entry(5, offsetof(Constants, blending)),
+    entry(6, offsetof(Constants, components)), entry(7, offsetof(Constants, mixing)),
     entry(8, offsetof(Constants, isShaded)), entry(9, offsetof(Constants, hasGradientOpacity))
   };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);

@@ -4,9 +4,11 @@
 #ifndef ExaBricksVulkanMarchVariant_h
 #define ExaBricksVulkanMarchVariant_h
 
+#include "Core/Medium.h"
 #include "Core/View.h"
 #include "Vulkan/Traversal.h"
 
+#include <cstdint>
 #include <tuple>
 
 namespace exabricks
@@ -23,13 +25,15 @@ struct MarchVariant
   bool hasGradientOpacity = false; // where opacity depends on the gradient
   bool clipped = false;            // for views with clipping planes
   bool cropped = false;            // for views with cropping
+  std::uint32_t components = 1;    // of each cell; several are blended by Composite, unshaded
+  Mixing mixing = Mixing::Independent;
 };
 
 inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
     variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
-    variant.cropped);
+    variant.cropped, variant.components, variant.mixing);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

@@ -18,6 +18,7 @@ struct VolumeRenderer::Internals
   // What the caller set.
   Traversal RequestedTraversal = Traversal::Automatic;
   TransferFunction Transfer;
+  Medium Mixed; // in its place, for several components
   std::vector<float> GradientOpacity;
   // And with the last view: what is looked up and what shows depend on it.
   Blending Blended = Blending::Composite;
@@ -41,8 +42,14 @@ struct VolumeRenderer::Internals
 
   vulkan::Selection MakeSelection() const
   {
-    return { &this->Visibility, this->Weights ? &*this->Weights : nullptr,
-      this->Measured.traversal == Traversal::RayQuery };
+    return { this->HasComponents() ? this->Mixed.visibility()
+                                   : std::vector<const TransferFunction*>{ &this->Visibility },
+      this->Weights ? &*this->Weights : nullptr, this->Measured.traversal == Traversal::RayQuery };
+  }
+
+  bool HasComponents() const
+  {
+    return !this->Levels.empty() && this->Levels.volume().components() > 1;
   }
 
   // What was chosen for an error no longer holds.
@@ -109,6 +116,12 @@ struct VolumeRenderer::Internals
     if (!this->Colors)
     {
       const Stopwatch watch;
+      if (this->HasComponents())
+      {
+        this->Colors.emplace(this->Session.device(), this->MakeTables());
+        this->Measured.colorTime = watch.seconds();
+        return;
+      }
       this->Colors.emplace(this->Session.device(),
         TransferTable(findLookup(this->Transfer, this->Blended, this->AverageRange),
           this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
@@ -116,6 +129,18 @@ struct VolumeRenderer::Internals
         this->GradientOpacity);
       this->Measured.colorTime = watch.seconds();
     }
+  }
+
+  std::vector<TransferTable> MakeTables() const
+  {
+    std::vector<TransferTable> tables;
+    for (const TransferFunction& function : this->Mixed.functions)
+    {
+      const bool isColor = this->Mixed.mixing == Mixing::ColorAndOpacity && tables.empty();
+      tables.emplace_back(
+        function, isColor ? TransferTable::Amount::Opacity : TransferTable::Amount::Extinction);
+    }
+    return tables;
   }
 
   void UpdateFinestLevel()
@@ -178,6 +203,8 @@ struct VolumeRenderer::Internals
     variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
+    variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
+    variant.mixing = this->HasComponents() ? this->Mixed.mixing : Mixing::Independent;
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
@@ -186,6 +213,9 @@ struct VolumeRenderer::Internals
     layout::Frame frame{};
     level.onDevice->fill(frame);
     this->Colors->fill(frame);
+    frame.componentWeights = this->Mixed.weights;
+    frame.colorScale = this->Mixed.colorScale;
+    frame.colorOffset = this->Mixed.colorOffset;
     frame.transmittanceExponent = this->Weights ? StepWeights::TransmittanceExponent : 0.0f;
     vulkan::fillView(frame, view, level.fromHalfCells);
     return frame;
@@ -311,6 +341,32 @@ struct VolumeRenderer::Internals
     this->Measured.marchTime = watch.seconds();
   }
 
+  // Why the volume's components cannot be drawn; empty: they can.
+  std::string CheckComponents(const View& view) const
+  {
+    if (!this->HasComponents())
+    {
+      return {};
+    }
+    const std::size_t components = this->Levels.volume().components();
+    const std::size_t wanted = this->Mixed.mixing == Mixing::ColorAndOpacity ? 2
+      : this->Mixed.mixing == Mixing::RGBA                                   ? 4
+                                                                             : components;
+    const std::size_t functions = this->Mixed.mixing == Mixing::RGBA ? 1 : wanted;
+    if (components != wanted || components > layout::MOST_COMPONENTS ||
+      this->Mixed.functions.size() != functions)
+    {
+      return "the functions do not fit the volume's " + std::to_string(components) + " components";
+    }
+    if (view.blending != Blending::Composite || view.lighting ||
+      view.quality.errorTolerance > 0.0 || !this->GradientOpacity.empty())
+    {
+      return "several components are drawn by absorption alone, without lighting, gradient opacity "
+             "or an error tolerance";
+    }
+    return {};
+  }
+
   void ClearPicture(const View& view, std::vector<glm::vec4>& picture) const
   {
     picture.assign(
@@ -380,6 +436,11 @@ void VolumeRenderer::setVolume(const Volume& volume)
   this->Data->Session.forget();
   this->Data->ForgetChoice();
   this->Data->SceneFailed = false;
+  if (!this->Data->Levels.empty() &&
+    this->Data->Levels.volume().components() != volume.components())
+  {
+    this->Data->Colors.reset();
+  }
   this->Data->Levels.setVolume(volume);
 }
 
@@ -394,6 +455,14 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
   {
     this->Data->Weights.emplace(TransferTable(transfer));
   }
+}
+
+void VolumeRenderer::setMedium(const Medium& medium)
+{
+  this->Data->Session.forget();
+  this->Data->Colors.reset();
+  this->Data->Mixed = medium;
+  this->Data->InvalidateSelection();
 }
 
 void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
@@ -422,6 +491,11 @@ std::string VolumeRenderer::render(
   {
     return "the volume's values do not fit the reconstruction: completed ones, with a layer around "
            "each brick, are for Completed alone";
+  }
+  const std::string unmixed = this->Data->CheckComponents(view);
+  if (!unmixed.empty())
+  {
+    return unmixed;
   }
   if (view.cutaway.clippingPlanes.size() > Cutaway::MostClippingPlanes)
   {

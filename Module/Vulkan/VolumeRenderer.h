@@ -8,6 +8,7 @@
 #define ExaBricksVulkanVolumeRenderer_h
 
 #include "Core/ActiveRegions.h"
+#include "Core/Medium.h"
 #include "Core/View.h"
 #include "Core/Volume.h"
 #include "Vulkan/Traversal.h"
@@ -37,6 +38,11 @@ public:
   /// Costs an upload of colours; and when it shows other values than before, or pictures are drawn
   /// with an error tolerance, a new selection of the active regions.
   void setTransferFunction(const TransferFunction& transfer);
+
+  /// The same for a volume of several components, for which it takes the place of
+  /// setTransferFunction(). They are drawn by Blending::Composite, without lighting, gradient
+  /// opacity or error tolerance. Its functions have to be as many as its mixing takes.
+  void setMedium(const Medium& medium);
 
   /// By what the extinction of Blending::Composite is multiplied, for GRADIENT_OPACITIES gradients
   /// from 0 to GREATEST_GRADIENT (Layout.h); empty: by nothing.

@@ -35,8 +35,13 @@ struct VariantRenderer::Internals
 
   vulkan::Selection MakeSelection() const
   {
-    return { this->Program->skipsSpace ? &this->Transfer : nullptr,
-      this->Weights ? &*this->Weights : nullptr, false };
+    vulkan::Selection selection;
+    if (this->Program->skipsSpace)
+    {
+      selection.transfers = { &this->Transfer };
+    }
+    selection.weights = this->Weights ? &*this->Weights : nullptr;
+    return selection;
   }
 
   void UpdateWeights(bool weighted)

@@ -133,6 +133,22 @@ inline vtkDoubleArray* addCells(
   return values;
 }
 
+/// The same of several components.
+inline vtkDoubleArray* addCells(
+  vtkUniformGrid* grid, const std::vector<Field>& fields, const char* name = "value")
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name);
+  values->SetNumberOfComponents(static_cast<int>(fields.size()));
+  values->SetNumberOfTuples(grid->GetNumberOfCells());
+  for (std::size_t k = 0; k < fields.size(); ++k)
+  {
+    values->CopyComponent(static_cast<int>(k), addCells(grid, fields[k]), 0);
+  }
+  grid->GetCellData()->SetScalars(values);
+  return values;
+}
+
 /// Calls `visit(block, grid)` for every block that is there.
 inline void forEachGrid(vtkOverlappingAMR* amr,
   const std::function<void(unsigned int level, vtkUniformGrid* grid)>& visit)

@@ -173,7 +173,10 @@ int TestBadInput(int, char*[])
   mapper->SetVectorComponent(2);
   scene.Works("a component in range");
   scene.stage.Property()->IndependentComponentsOff();
-  scene.Fails({ "independent components", "found 3" }, "dependent components");
+  scene.Works("one of dependent components");
+  mapper->SetVectorModeToDisabled();
+  scene.Fails({ "2 or 4 dependent components", "found 3" }, "dependent components");
+  mapper->SetVectorModeToComponent();
   scene.stage.Property()->IndependentComponentsOn();
   scene.stage.Property()->SetScalarOpacityUnitDistance(0.0);
   scene.Fails({ "ScalarOpacityUnitDistance", "found 0" }, "no unit distance");

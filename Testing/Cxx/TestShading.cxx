@@ -63,19 +63,21 @@ int TestShading(int, char*[])
   // The volume turned, and stretched: the normal of what is turned to the eye.
   vtkNew<vtkTransform> turned;
   turned->Translate(4.0, 4.0, 4.0);
-  turned->RotateY(60.0);
+  turned->RotateY(20.0);
   turned->Translate(-4.0, -4.0, -4.0);
   stage.volume->SetUserTransform(turned);
   stage.mapper->SetInputData(makeSlope(2));
   {
     const test::Picture::Color color = test::Picture(stage.window).Center();
-    const double cosine = std::cos(60.0 * 3.14159265358979 / 180.0);
+    const double cosine = std::cos(20.0 * 3.14159265358979 / 180.0);
     const double lit = 0.2 + 0.5 * cosine;
     // Of the same opacity, the brighter the more it is lit: the ratio of two channels without their
     // common gloss is that of the colours, and the gloss is what is left.
     const double perColor = (color[0] - color[1]) / (Orange[0] - Orange[1]);
     const double gloss = color[0] - Orange[0] * perColor;
-    checks.Near(gloss / perColor, 0.3 * std::pow(cosine, 4.0) / lit, 0.03, "turned by 60 degrees");
+    const double reflected = 2.0 * cosine * cosine - 1.0; // of twice the angle
+    checks.Near(
+      gloss / perColor, 0.3 * std::pow(reflected, 4.0) / lit, 0.03, "turned by 20 degrees");
   }
   stage.volume->SetUserTransform(nullptr);
 
@@ -87,16 +89,22 @@ int TestShading(int, char*[])
   stage.renderer->AddLight(side);
   stage.renderer->AutomaticLightCreationOff();
   stage.mapper->SetInputData(makeSlope(0));
-  const double half = std::pow(std::sqrt(0.5), 4.0); // between the light and the eye
-  shows(1.0, half, "from the side");
+  shows(1.0, 0.0, "from the side");
   stage.renderer->SetTwoSidedLighting(false);
-  shows(1.0, half, "from the side of low values"); // normals point down the slope
+  shows(1.0, 0.0, "from the side of low values"); // normals point down the slope
   side->SetPosition(18.0, 4.0, 4.0);
   shows(0.0, 0.0, "from the side of high values");
   stage.renderer->SetTwoSidedLighting(true);
-  shows(1.0, half, "from that side, two-sided");
+  shows(1.0, 0.0, "from that side, two-sided");
   side->SetIntensity(0.5);
-  shows(0.5, 0.5 * half, "half as bright");
+  shows(0.5, 0.0, "half as bright");
+  // Half way from the side to the eye, it is reflected to the other side; the headlight too is
+  // there.
+  stage.mapper->SetInputData(makeSlope(2));
+  side->SetPosition(18.0, 4.0, 18.0);
+  shows(1.0 + 0.5 * std::sqrt(0.5), 1.0 + 0.5 * 0.25, "between side and eye");
+  stage.mapper->SetInputData(makeSlope(0));
+  side->SetPosition(18.0, 4.0, 4.0);
   side->SwitchOff();
   shows(0.0, 0.0, "switched off");
   side->SwitchOn();

@@ -6,8 +6,8 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiVolume.h"
 #include "vtkShaderProperty.h"
 #include "vtkStringArray.h"
 
@@ -21,21 +21,32 @@ int TestUnsupportedRequests(int, char*[])
   vtkExaBricksVolumeMapper* mapper = stage.mapper;
   const double drawn = test::opacityOf(0.5, 8.0);
 
-  const std::pair<int, const char*> modes[] = { { vtkVolumeMapper::SLICE_BLEND, "slice" } };
-  for (const auto& mode : modes)
+  mapper->SetBlendMode(17);
+  for (int i = 0; i < 3; ++i)
   {
-    mapper->SetBlendMode(mode.first);
-    for (int i = 0; i < 3; ++i)
-    {
-      checks.Equal(
-        test::Picture(stage.window).Coverage(), 0.0, std::string(mode.second) + " draws nothing");
-      checks.Expect(!mapper->GetDrawn(), "not drawn");
-    }
-    checks.Equal(messages.Errors().size(), 1, std::string("errors of ") + mode.second);
-    checks.Says(messages.TakeErrors(), { mode.second, "SetBlendModeToComposite" }, mode.second);
+    checks.Equal(
+      test::Picture(stage.window).Coverage(), 0.0, "an unknown blend mode draws nothing");
+    checks.Expect(!mapper->GetDrawn(), "not drawn");
   }
+  checks.Equal(messages.Errors().size(), 1, "errors of an unknown blend mode");
+  checks.Says(messages.TakeErrors(), { "17", "SetBlendModeToComposite" }, "an unknown blend mode");
   mapper->SetBlendModeToComposite();
   checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "composite is drawn");
+
+  vtkNew<vtkMultiVolume> several;
+  mapper->Render(stage.renderer, several);
+  checks.Says(messages.TakeErrors(), { "vtkMultiVolume", "Add a vtkVolume" }, "a vtkMultiVolume");
+  checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "a volume is drawn");
+
+  // Gradients count for absorption alone.
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.5);
+  stage.Property()->SetGradientOpacity(gradients);
+  mapper->SetBlendModeToMaximumIntensity();
+  test::Picture(stage.window);
+  checks.Says(messages.TakeWarnings(), { "Gradient opacity", "composite" }, "gradient opacity");
+  mapper->SetBlendModeToComposite();
+  stage.Property()->SetGradientOpacity(nullptr);
 
   // A copy of a property has a function of gradients that changes nothing, and warns of nothing.
   vtkSmartPointer<vtkVolumeProperty> property = stage.Property();
@@ -80,41 +91,6 @@ int TestUnsupportedRequests(int, char*[])
     "Colors of categories", [&] { property->GetRGBTransferFunction()->SetIndexedLookup(true); });
   property->GetRGBTransferFunction()->SetIndexedLookup(false);
 
-  // Several components: one of them, or their magnitude, and no weights.
-  auto vectors = test::makeAMR(test::cornerRefined(), test::constant(1.0));
-  test::forEachGrid(vectors,
-    [](unsigned int, vtkUniformGrid* grid)
-    {
-      vtkNew<vtkDoubleArray> pair;
-      pair->SetName("pair");
-      pair->SetNumberOfComponents(2);
-      pair->SetNumberOfTuples(grid->GetNumberOfCells());
-      pair->Fill(1.0);
-      grid->GetCellData()->AddArray(pair);
-    });
-  for (const bool choose : { false, true })
-  {
-    test::Stage several(vectors, 50);
-    test::setConstantColor(several.Property(), 0.5);
-    several.mapper->SetScalarModeToUseCellFieldData();
-    several.mapper->SelectScalarArray("pair");
-    if (choose)
-    {
-      several.mapper->SetVectorModeToMagnitude();
-    }
-    test::Picture(several.window);
-    test::Picture(several.window);
-    checks.Equal(messages.Warnings().size(), choose ? 0 : 1, "warnings of two components");
-    if (!choose)
-    {
-      checks.Says(messages.TakeWarnings(), { "2 of the array", "SetVectorModeToMagnitude" },
-        "warning of two components");
-    }
-    several.Property()->SetComponentWeight(1, 0.5);
-    test::Picture(several.window);
-    checks.Equal(messages.Warnings().size(), 1, "warnings of weights");
-    checks.Says(messages.TakeWarnings(), { "Weights" }, "warning of weights");
-  }
   checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
 
   // Devices are named in the error, to choose from.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blend modes show the same as with VTK's GPU mapper. The fixed-point mapper has no average, sums
-// otherwise, has 34 dB to both others for the maximum, and no iso-surfaces.
+// otherwise, has 34 dB to both others for the maximum, and neither iso-surfaces nor slices.
 
 #include "Parity.h"
 
 #include "vtkContourValues.h"
+#include "vtkPlane.h"
 
 int BlendModesLikeVTK(int, char*[])
 {
@@ -36,6 +37,18 @@ int BlendModesLikeVTK(int, char*[])
   mappers.Property()->GetScalarOpacity()->AddPoint(11.0, 0.4);
   mappers.ExpectSameAsOnGPU(checks, "iso-surfaces");
   mappers.Property()->ShadeOn();
+  mappers.Property()->SetSpecular(0.0); // for which VTK's versions differ (ShadingLikeVTK)
   mappers.ExpectSameAsOnGPU(checks, "iso-surfaces, lit");
+  mappers.Property()->ShadeOff();
+
+  // Where opacity is steep, VTK's slice is 33 dB from the exact one, ours 49 (on 24 cells).
+  mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToSlice(); });
+  mappers.Property()->GetScalarOpacity()->RemoveAllPoints();
+  mappers.Property()->GetScalarOpacity()->AddPoint(0.0, 0.6);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(12.0, 12.0, 12.0);
+  plane->SetNormal(0.4, -0.5, 0.9);
+  mappers.Property()->SetSliceFunction(plane);
+  mappers.ExpectSameAsOnGPU(checks, "slice");
   return checks.Status();
 }

@@ -24,6 +24,7 @@ struct Scene
   std::array<int, 3> cells{ 24, 24, 24 };
   test::Lattice lattice{};
   test::Field field;
+  std::vector<test::Field> furtherFields{}; // of further components
 };
 
 /// A ball with a core, off the middle of a block from 0 to 24.
@@ -34,7 +35,15 @@ inline double ball(double x, double y, double z)
 
 inline vtkSmartPointer<vtkOverlappingAMR> makeAMR(const Scene& scene)
 {
-  return test::makeAMR({ { 0, { 0, 0, 0 }, scene.cells } }, scene.field, scene.lattice);
+  auto amr = test::makeAMR({ { 0, { 0, 0, 0 }, scene.cells } }, scene.field, scene.lattice);
+  if (!scene.furtherFields.empty())
+  {
+    std::vector<test::Field> fields{ scene.field };
+    fields.insert(fields.end(), scene.furtherFields.begin(), scene.furtherFields.end());
+    test::forEachGrid(
+      amr, [&](unsigned int, vtkUniformGrid* grid) { test::addCells(grid, fields); });
+  }
+  return amr;
 }
 
 /// The same trilinear function over the same bounds, as an image that has it at its points: between
@@ -48,7 +57,7 @@ inline vtkSmartPointer<vtkImageData> makeImage(const Scene& scene)
   image->SetOrigin(origin.data());
   image->SetSpacing(0.5 * spacing[0], 0.5 * spacing[1], 0.5 * spacing[2]);
   image->SetDimensions(2 * scene.cells[0] + 1, 2 * scene.cells[1] + 1, 2 * scene.cells[2] + 1);
-  image->AllocateScalars(VTK_FLOAT, 1);
+  image->AllocateScalars(VTK_FLOAT, 1 + static_cast<int>(scene.furtherFields.size()));
   vtkDataArray* values = image->GetPointData()->GetScalars();
   for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
   {
@@ -66,13 +75,17 @@ inline vtkSmartPointer<vtkImageData> makeImage(const Scene& scene)
         middles[axis][side] = origin[axis] + spacing[axis] * (cell + 0.5);
       }
     }
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner)
+    for (int k = 0; k < values->GetNumberOfComponents(); ++k)
     {
-      sum += scene.field(
-        middles[0][corner & 1], middles[1][corner >> 1 & 1], middles[2][corner >> 2 & 1]);
+      const test::Field& field = k == 0 ? scene.field : scene.furtherFields[k - 1];
+      double sum = 0.0;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        sum +=
+          field(middles[0][corner & 1], middles[1][corner >> 1 & 1], middles[2][corner >> 2 & 1]);
+      }
+      values->SetComponent(point, k, sum / 8.0);
     }
-    values->SetTuple1(point, sum / 8.0);
   }
   return image;
 }

@@ -6,6 +6,7 @@
 #include "Parity.h"
 
 #include "vtkLight.h"
+#include "vtkVersion.h"
 
 int ShadingLikeVTK(int, char*[])
 {
@@ -27,7 +28,12 @@ int ShadingLikeVTK(int, char*[])
   mappers.ExpectSameAsOnGPU(checks, "ambient and diffuse");
   property->SetSpecular(0.4);
   property->SetSpecularPower(12.0);
-  mappers.ExpectSameAsOnGPU(checks, "specular");
+  // VTK's geometry, and from 9.2 on its GPU mapper, reflect light as ours does; before that, the
+  // mapper had Blinn's wider highlights (31 dB).
+  if (vtkVersion::GetVTKMinorVersion() >= 2 || vtkVersion::GetVTKMajorVersion() > 9)
+  {
+    mappers.ExpectSameAsOnGPU(checks, "specular");
+  }
 
   // A light from the side. VTK's GPU mapper leaves ambient out then, as a light's ambient colour is
   // black by default; geometry does not, and ours does as geometry.

@@ -49,11 +49,6 @@ glm::dvec3 findGradient(const FieldFunction& field, const Box& bounds, const glm
   return gradient;
 }
 
-double sided(double cosine, bool twoSided)
-{
-  return std::max(twoSided ? std::abs(cosine) : cosine, 0.0);
-}
-
 // `place` in the light's coordinates; `normal` of length 1, or 0.
 glm::dvec3 shade(const glm::dvec3& color, const Lighting& lighting, const glm::dvec3& place,
   const glm::dvec3& normal, const glm::dvec3& toEye)
@@ -78,11 +73,14 @@ glm::dvec3 shade(const glm::dvec3& color, const Lighting& lighting, const glm::d
           : 0.0;
       }
     }
-    diffuse += light.diffuse * reaching * sided(glm::dot(normal, toLight), lighting.twoSided);
-    const double shine =
-      sided(glm::dot(normal, glm::normalize(toLight + toEye)), lighting.twoSided);
-    specular +=
-      light.specular * reaching * (shine > 0.0 ? std::pow(shine, lighting.specularPower) : 0.0);
+    const double cosine = glm::dot(normal, toLight);
+    if (cosine > 0.0 || (lighting.twoSided && cosine < 0.0))
+    {
+      const double shine = glm::dot(glm::reflect(-toLight, normal), toEye);
+      diffuse += light.diffuse * reaching * std::abs(cosine);
+      specular +=
+        light.specular * reaching * std::pow(std::max(shine, 0.0), lighting.specularPower);
+    }
   }
   return color * (lighting.ambient + lighting.diffuse * diffuse) + lighting.specular * specular;
 }

@@ -12,6 +12,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from .vtkRenderingVolumeExaBricks import (
     vtkExaBricksBuilder,
     vtkExaBricksData,
+    vtkExaBricksPicker,
     vtkExaBricksSceneSource,
     vtkExaBricksVolumeMapper,
 )
@@ -21,6 +22,7 @@ __version__ = "0.1.0"
 __all__ = [
     "vtkExaBricksBuilder",
     "vtkExaBricksData",
+    "vtkExaBricksPicker",
     "vtkExaBricksSceneSource",
     "vtkExaBricksVolumeMapper",
 ]

@@ -73,7 +73,7 @@ bool findLeafCell(ivec3 center, int width, out float value)
   {
     return false;
   }
-  value = valueAt(brick, cellsOf(brick), uvec3(cell));
+  value = valueAt(brick, cellsOf(brick), uvec3(cell), 0u);
   return value >= 0.0; // absent ones are not there
 }
 

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of several components: independent ones with functions and weights of their own, a colour
+// with an opacity, red, green and blue with an opacity. Rays through cells of known values have the
+// colours that can be told by hand.
+
+#include "AMR.h"
+#include "Checks.h"
+#include "Stage.h"
+
+#include "vtkUnsignedCharArray.h"
+
+#include <limits>
+
+namespace
+{
+constexpr double Thickness = 2.0; // of the data
+using Color = test::Picture::Color;
+
+// Two halves, side by side, along x from -2 to 0 and from 0 to 2.
+vtkSmartPointer<vtkOverlappingAMR> makeHalves(
+  const std::vector<double>& left, const std::vector<double>& right)
+{
+  auto amr = test::makeAMR({ { 0, { -2, 0, 0 }, { 4, 2, 2 } } }, test::constant(0.0));
+  std::vector<test::Field> fields;
+  for (std::size_t k = 0; k < left.size(); ++k)
+  {
+    fields.push_back([=](double x, double, double) { return x < 0.0 ? left[k] : right[k]; });
+  }
+  test::forEachGrid(amr, [&](unsigned int, vtkUniformGrid* grid) { test::addCells(grid, fields); });
+  return amr;
+}
+
+// Of component `k`, one colour, and opacity 0 at the value 0, 0.4 at the value 1.
+void setFunctions(vtkVolumeProperty* property, int k, const Color& color)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, color[0], color[1], color[2]);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(1.0, 0.4);
+  property->SetColor(k, colors);
+  property->SetScalarOpacity(k, opacity);
+}
+
+double extinction(double opacity) { return -std::log(1.0 - opacity); }
+
+struct Scene : test::Stage
+{
+  test::Checks& Checked;
+
+  Scene(test::Checks& checks, vtkOverlappingAMR* amr)
+    : Stage(amr, 20)
+    , Checked(checks)
+  {
+    this->mapper->SetReconstructionToNearest();
+    test::lookAlongZ(this->renderer, 0.0, 1.0, 1.0, 2.0);
+  }
+
+  // The colours of both halves, in front of black.
+  void Shows(const Color& left, const Color& right, const std::string& what)
+  {
+    const test::Picture picture(this->window);
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::string channel = what + ", channel " + std::to_string(c);
+      this->Checked.Near(picture.At(4, 10)[c], left[c], test::OneStep, channel + ", left");
+      this->Checked.Near(picture.At(15, 10)[c], right[c], test::OneStep, channel + ", right");
+    }
+  }
+};
+
+// What a medium of these extinctions of red and blue looks like over the data's thickness.
+Color mix(double red, double blue)
+{
+  const double sum = red + blue;
+  const double opacity = 1.0 - std::exp(-sum * Thickness);
+  return { opacity * red / sum, 0.0, opacity * blue / sum };
+}
+}
+
+int TestComponents(int, char*[])
+{
+  test::Checks checks;
+  test::Messages messages;
+  const double shown = extinction(0.4);
+
+  Scene two(checks, makeHalves({ 1.0, 0.0 }, { 0.5, 1.0 }));
+  setFunctions(two.Property(), 0, { 1.0, 0.0, 0.0 });
+  setFunctions(two.Property(), 1, { 0.0, 0.0, 1.0 });
+  two.Shows(mix(shown, 0.0), mix(extinction(0.2), shown), "independent");
+  two.Property()->SetComponentWeight(1, 0.25);
+  two.Shows(mix(shown, 0.0), mix(extinction(0.2), 0.25 * shown), "a quarter of one");
+  two.Property()->SetScalarOpacityUnitDistance(1, 0.5);
+  two.Shows(mix(shown, 0.0), mix(extinction(0.2), 0.5 * shown), "with a unit distance of its own");
+  two.Property()->SetScalarOpacityUnitDistance(1, 1.0);
+  two.Property()->SetComponentWeight(0, 0.0);
+  two.Property()->SetComponentWeight(1, 1.0);
+  two.Shows({ 0.0, 0.0, 0.0 }, mix(0.0, shown), "without one");
+  two.Property()->SetComponentWeight(0, 1.0);
+
+  // One component, or the magnitude, with the functions of component 0.
+  two.mapper->SetVectorModeToComponent();
+  two.mapper->SetVectorComponent(1);
+  two.Shows({ 0.0, 0.0, 0.0 }, mix(shown, 0.0), "component 1");
+  two.mapper->SetVectorModeToMagnitude();
+  two.Shows(mix(shown, 0.0), mix(shown, 0.0), "magnitude"); // more than 1 shows as 1 does
+  two.mapper->SetVectorModeToDisabled();
+  two.Shows(mix(shown, 0.0), mix(extinction(0.2), shown), "independent again");
+
+  // The first one has colours, the second one opacity.
+  two.Property()->IndependentComponentsOff();
+  two.Property()->GetRGBTransferFunction(0)->AddRGBPoint(1.0, 0.0, 0.0, 1.0);
+  two.Shows({ 0.0, 0.0, 0.0 }, mix(0.5 * shown, 0.5 * shown), "colour and opacity");
+
+  // Red, green, blue and opacity, in bytes.
+  auto bytes = makeHalves({ 0.0 }, { 0.0 });
+  test::forEachGrid(bytes,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetName("colors");
+      colors->SetNumberOfComponents(4);
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+      {
+        const bool left = cell % 4 < 2;
+        colors->InsertNextTuple4(left ? 255 : 51, left ? 102 : 204, left ? 0 : 153, left ? 1 : 0);
+      }
+      grid->GetCellData()->SetScalars(colors);
+    });
+  Scene rgba(checks, bytes);
+  setFunctions(rgba.Property(), 0, { 1.0, 1.0, 1.0 });
+  rgba.Property()->IndependentComponentsOff();
+  const double opacity = 1.0 - std::exp(-shown * Thickness);
+  rgba.Shows({ opacity, 0.4 * opacity, 0.0 }, { 0.0, 0.0, 0.0 }, "RGBA");
+  rgba.Property()->GetScalarOpacity(0)->AddPoint(0.0, 0.4);
+  rgba.Shows(
+    { opacity, 0.4 * opacity, 0.0 }, { 0.2 * opacity, 0.8 * opacity, 0.6 * opacity }, "RGBA, both");
+
+  // A cell of which one component is no number is absent.
+  Scene holed(checks, makeHalves({ 1.0, std::numeric_limits<double>::quiet_NaN() }, { 1.0, 0.5 }));
+  setFunctions(holed.Property(), 0, { 1.0, 0.0, 0.0 });
+  setFunctions(holed.Property(), 1, { 0.0, 0.0, 1.0 });
+  holed.Shows({ 0.0, 0.0, 0.0 }, mix(shown, extinction(0.2)), "NaN in one component");
+  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
+    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+
+  // What is not done is said.
+  two.Property()->IndependentComponentsOn();
+  two.Property()->ShadeOn(1);
+  two.mapper->SetErrorTolerance(0.01);
+  test::Picture(two.window);
+  checks.Says(messages.TakeWarnings(), { "Shading", "ErrorTolerance" }, "drawn without");
+  two.mapper->SetBlendModeToMaximumIntensity();
+  test::Picture(two.window);
+  checks.Says(messages.TakeErrors(), { "composite", "2 components" }, "another blend mode");
+  Scene three(checks, makeHalves({ 1.0, 0.0, 0.0 }, { 0.5, 1.0, 0.0 }));
+  three.Property()->IndependentComponentsOff();
+  test::Picture(three.window);
+  checks.Says(messages.TakeErrors(), { "2 or 4", "found 3" }, "three dependent components");
+  Scene five(checks, makeHalves({ 1.0, 0.0, 0.0, 0.0, 0.0 }, { 0.5, 1.0, 0.0, 0.0, 0.0 }));
+  test::Picture(five.window);
+  checks.Says(messages.TakeErrors(), { "at most 4", "found 5", "SetVectorModeToMagnitude" },
+    "five components");
+  return checks.Status();
+}

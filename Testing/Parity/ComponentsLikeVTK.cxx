@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several components, independent and dependent, show the same as with VTK's GPU mapper. Where
+// several independent ones show at one place, ours adds their extinctions up; VTK's GPU mapper
+// takes a mean of opacities, each weighted with itself and divided by the components' weights, and
+// its two mappers differ by 10 dB: that is not compared, nor weights.
+
+#include "Parity.h"
+
+namespace
+{
+// Another ball, where the first one does not show.
+double besideBall(double x, double y, double z) { return std::hypot(x - 18.0, y - 6.0, z - 6.5); }
+
+void setFunctions(vtkVolumeProperty* property, int component, const std::array<double, 3>& color)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, color[0], color[1], color[2]);
+  colors->AddRGBPoint(9.0, color[2], color[0], color[1]);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.3);
+  opacity->AddPoint(4.5, 0.05);
+  opacity->AddPoint(5.0, 0.0);
+  property->SetColor(component, colors);
+  property->SetScalarOpacity(component, opacity);
+}
+}
+
+int ComponentsLikeVTK(int, char*[])
+{
+  test::Checks checks;
+  test::KeepDisplay display;
+  parity::Scene scene;
+  scene.field = parity::ball;
+  scene.furtherFields = { besideBall };
+  parity::Mappers mappers(scene);
+  mappers.ShowBall(); // for its view
+  vtkVolumeProperty* property = mappers.Property();
+  setFunctions(property, 0, { 0.9, 0.2, 0.1 });
+  setFunctions(property, 1, { 0.1, 0.3, 1.0 });
+  mappers.ExpectSameAsOnGPU(checks, "two independent components");
+
+  property->IndependentComponentsOff();
+  mappers.ExpectSame(checks, "colour and opacity");
+  return checks.Status();
+}

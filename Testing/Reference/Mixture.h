@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What pictures of several components ought to be (Core/Medium.h): brute force, by many samples
+// along each ray in double precision, at equal distances.
+#ifndef ExaBricksReferenceMixture_h
+#define ExaBricksReferenceMixture_h
+
+#include "Core/Medium.h"
+#include "Reference/Oracle.h"
+
+namespace exabricks
+{
+namespace reference
+{
+struct MixtureSettings
+{
+  Reconstruction reconstruction = Reconstruction::Basis;
+  double opacityUnitDistance = 1.0; // world
+  double step = 1.0 / 32.0;         // in the finest cells
+};
+
+/// `components`: of each, in their order. `bounds`: logical; outside of them nothing is sampled.
+/// The view's depth and cut do not count.
+Image drawMixture(const std::vector<const Oracle*>& components, const Box& bounds, const View& view,
+  const Medium& medium, const MixtureSettings& settings);
+}
+}
+
+#endif
