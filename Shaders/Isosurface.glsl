@@ -63,3 +63,50 @@ void addSurfaces(Cursor cursor, Ray ray, float from, float to, float valueFrom, 
     }
   }
 }
+
+// Whether a surface's value lies between two.
+bool isAnyBetween(float a, float b)
+{
+  for (uint k = 0; k < constants.frame.isoValueCount; ++k)
+  {
+    const float isoValue = constants.frame.isoValues[k];
+    if ((a < isoValue) != (b < isoValue))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The surfaces in an interval from the cursor's entry to `end`: `values` are those at both ends and,
+// where there are two pieces, in the middle. Where the parabola through the three passes a surface's
+// value and comes back, as at silhouettes, the field at its vertex tells whether it does.
+void addSurfacesOfInterval(
+  Cursor cursor, Ray ray, float end, int pieces, vec3 values, inout Accumulator gathered)
+{
+  const float length = end - cursor.entry;
+  vec4 places = vec4(cursor.entry, pieces == 2 ? cursor.entry + 0.5 * length : end, end, end);
+  vec4 there = vec4(values, values.z);
+  if (pieces == 2)
+  {
+    const float bend = 2.0 * (values.x - 2.0 * values.y + values.z);
+    const float slope = values.z - values.x - bend;
+    const float vertex = -0.5 * slope / bend; // where nothing bends, it is nowhere
+    const float most = values.x + vertex * (slope + vertex * bend);
+    const float nearest = bend < 0.0 ? max(values.x, max(values.y, values.z))
+                                     : min(values.x, min(values.y, values.z));
+    if (vertex > 0.0 && vertex < 1.0 && isAnyBetween(nearest, most))
+    {
+      const float at = cursor.entry + vertex * length;
+      const float value = sampleField(cursor.brick, cursor.others, ray, at);
+      pieces = 3;
+      places.yz = vertex < 0.5 ? vec2(at, places.y) : vec2(places.y, at);
+      there.yz = vertex < 0.5 ? vec2(value, values.y) : vec2(values.y, value);
+    }
+  }
+  // In a loop, as compilers take their time for each place where the field is sampled.
+  for (int k = 0; k < pieces; ++k)
+  {
+    addSurfaces(cursor, ray, places[k], places[k + 1], there[k], there[k + 1], gathered);
+  }
+}

@@ -57,13 +57,8 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     }
     if (isIsosurface && !first)
     {
-      // In a loop, as compilers take their time for each place where the field is sampled.
-      for (int k = 1; k <= count; ++k)
-      {
-        addSurfaces(cursor, ray, cursor.entry + float(k - 1) / float(count) * length,
-          k == count ? end : cursor.entry + 0.5 * length, k == 1 ? last : middle,
-          k == count ? value : middle, gathered);
-      }
+      addSurfacesOfInterval(
+        cursor, ray, end, count, vec3(last, count == 2 ? middle : value, value), gathered);
     }
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));

@@ -102,5 +102,21 @@ int TestIsosurfaces(int, char*[])
 
   checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
     "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+
+  // A ray that passes a surface and comes back between two samples meets it twice. The field rises
+  // to 0.996 at 5.5; with steps of 2 cells it is sampled at 6 and 4, where it is less.
+  test::Stage ridge(test::makeAMR({ { 0, { 0, 0, 0 }, { 4, 4, 12 } } },
+                      [](double, double, double z) { return 1.0 - std::pow((z - 5.25) / 4.0, 2); }),
+    10);
+  test::setConstantColor(ridge.Property(), 0.5);
+  ridge.mapper->SetBlendModeToIsoSurface();
+  ridge.Property()->GetIsoSurfaceValues()->SetValue(0, 0.98);
+  test::lookAlongZ(ridge.renderer, 2.0, 2.0, 6.0, 1.0);
+  for (const double step : { 0.1, 0.5, 1.0, 2.0 })
+  {
+    ridge.mapper->SetStepScale(step);
+    checks.Near(test::Picture(ridge.window).Center()[0], 0.75, test::OneStep,
+      "twice through a surface, step " + std::to_string(step));
+  }
   return checks.Status();
 }
