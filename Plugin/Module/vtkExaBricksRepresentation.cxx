@@ -12,6 +12,8 @@
 #include "vtkBoundingBox.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkContourValues.h"
+#include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -201,8 +203,9 @@ bool vtkExaBricksRepresentation::SelectArray()
 
   vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
   const bool component = color->GetVectorMode() == vtkScalarsToColors::COMPONENT;
-  this->Mapper->SetVectorMode(
-    component ? vtkExaBricksVolumeMapper::COMPONENT : vtkExaBricksVolumeMapper::MAGNITUDE);
+  this->Mapper->SetVectorMode(this->DependentComponents ? vtkExaBricksVolumeMapper::DISABLED
+      : component                                       ? vtkExaBricksVolumeMapper::COMPONENT
+                                                        : vtkExaBricksVolumeMapper::MAGNITUDE);
   this->Mapper->SetVectorComponent(component ? color->GetVectorComponent() : 0);
   return true;
 }
@@ -280,6 +283,59 @@ void vtkExaBricksRepresentation::SetScalarOpacityUnitDistance(double distance)
 }
 
 void vtkExaBricksRepresentation::SetShading(bool shading) { this->Property->SetShade(shading); }
+
+void vtkExaBricksRepresentation::SetAmbient(double ambient) { this->Property->SetAmbient(ambient); }
+
+void vtkExaBricksRepresentation::SetDiffuse(double diffuse) { this->Property->SetDiffuse(diffuse); }
+
+void vtkExaBricksRepresentation::SetSpecular(double specular)
+{
+  this->Property->SetSpecular(specular);
+}
+
+void vtkExaBricksRepresentation::SetSpecularPower(double power)
+{
+  this->Property->SetSpecularPower(power);
+}
+
+void vtkExaBricksRepresentation::SetNumberOfIsosurfaceValues(int count)
+{
+  this->Property->GetIsoSurfaceValues()->SetNumberOfContours(count);
+}
+
+void vtkExaBricksRepresentation::SetIsosurfaceValue(int number, double value)
+{
+  this->Property->GetIsoSurfaceValues()->SetValue(number, value);
+}
+
+void vtkExaBricksRepresentation::SetSliceFunction(vtkImplicitFunction* function)
+{
+  this->Property->SetSliceFunction(function);
+}
+
+void vtkExaBricksRepresentation::SetDependentComponents(bool dependent)
+{
+  this->DependentComponents = dependent;
+  this->Property->SetIndependentComponents(!dependent);
+}
+
+void vtkExaBricksRepresentation::SetLevelRange(int first, int last)
+{
+  this->Mapper->SetLevelRange(first, last);
+}
+
+void vtkExaBricksRepresentation::SetCropping(bool cropping) { this->Mapper->SetCropping(cropping); }
+
+void vtkExaBricksRepresentation::SetCroppingRegionPlanes(
+  double lowerX, double upperX, double lowerY, double upperY, double lowerZ, double upperZ)
+{
+  this->Mapper->SetCroppingRegionPlanes(lowerX, upperX, lowerY, upperY, lowerZ, upperZ);
+}
+
+void vtkExaBricksRepresentation::SetCroppingRegionFlags(int flags)
+{
+  this->Mapper->SetCroppingRegionFlags(flags);
+}
 
 void vtkExaBricksRepresentation::SetReconstruction(int reconstruction)
 {

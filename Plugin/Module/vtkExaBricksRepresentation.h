@@ -7,8 +7,8 @@
  * Where it cannot be drawn, as there is no Vulkan device, or the mapper cannot take the data, or no
  * array to color by was chosen, its outline is drawn, and the reason is reported once.
  *
- * The component that is drawn is that of the color map (vtkScalarsToColors::GetVectorMode()).
- * Every process may have any part of the blocks, or none.
+ * The component that is drawn is that of the color map (vtkScalarsToColors::GetVectorMode()),
+ * unless components are dependent. Every process may have any part of the blocks, or none.
  *
  * @sa
  * vtkExaBricksVolumeMapper vtkExaBricksVolume
@@ -25,6 +25,7 @@ class vtkColorTransferFunction;
 class vtkExaBricksStatistics;
 class vtkExaBricksVolume;
 class vtkExaBricksVolumeMapper;
+class vtkImplicitFunction;
 class vtkOutlineSource;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
@@ -60,6 +61,16 @@ public:
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
   void SetScalarOpacityUnitDistance(double distance);
   void SetShading(bool shading);
+  void SetAmbient(double ambient);
+  void SetDiffuse(double diffuse);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
+  void SetNumberOfIsosurfaceValues(int count);
+  void SetIsosurfaceValue(int number, double value);
+  void SetSliceFunction(vtkImplicitFunction* function);
+  /// Whether an array of two or four components is a color with an opacity; else the color map's
+  /// choice of its components is drawn.
+  void SetDependentComponents(bool dependent);
   ///@}
 
   ///@{
@@ -74,6 +85,11 @@ public:
   void SetTraversal(int traversal);
   void SetEarlyTerminationOpacity(double opacity);
   void SetDevice(const char* device);
+  void SetLevelRange(int first, int last);
+  void SetCropping(bool cropping);
+  void SetCroppingRegionPlanes(
+    double lowerX, double upperX, double lowerY, double upperY, double lowerZ, double upperZ);
+  void SetCroppingRegionFlags(int flags);
   ///@}
 
   /// The object that tells what was drawn last; null on a client.
@@ -107,6 +123,7 @@ private:
 
   vtkSmartPointer<vtkDataObject> Data; // the part that this process has
   double Bounds[6];                    // of the blocks in it
+  bool DependentComponents = false;
   bool ReportedNoArray = false;
   vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };

@@ -33,12 +33,13 @@ def is_shown(name, representation):
     return True
 
 
-unused = ["Opacity", "MapScalars", "InterpolateScalarsBeforeMapping", "PointSize", "LineWidth", "Interpolation", "Specular",
-          "Diffuse", "Ambient", "EdgeColor", "BackfaceRepresentation", "Shade", "NumberOfSamples", "ResamplingMode",
+unused = ["Opacity", "MapScalars", "InterpolateScalarsBeforeMapping", "PointSize", "LineWidth", "Interpolation",
+          "EdgeColor", "BackfaceRepresentation", "Shade", "NumberOfSamples", "ResamplingMode",
           "VolumeRenderingMode", "ScalarOpacityUnitDistance", "OSPRayMaterial", "Triangulate"]
 position = "Translation" if "Translation" in display.ListProperties() else "Position"  # from 5.13 on
 used = ["ColorArrayName", "LookupTable", position, "Scale", "Orientation", "Origin", "Pickable", "OpacityUnitDistance",
-        "Reconstruction", "BlendMode", "Shading", "ErrorTolerance", "StepScale", "DataAxesGrid", "PolarAxes"]
+        "Reconstruction", "BlendMode", "Shading", "ErrorTolerance", "StepScale", "DataAxesGrid", "PolarAxes",
+        "Ambient", "Diffuse", "Specular", "SpecularPower", "LevelRange", "Cropping"]
 for name in unused:
     assert not is_shown(name, "ExaBricks"), name
 for name in used:

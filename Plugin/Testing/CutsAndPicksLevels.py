@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Iso-surfaces, slices, cropping, a range of levels, the material, and what a state keeps of them."""
+
+from Support import *
+
+load_plugin()
+collector = Collector()
+scene = make_scene()
+view = make_view()
+display = show(scene, view)
+look_at(scene, view)
+display.OpacityUnitDistance = 8.0
+whole = picture(view, "whole")
+
+# A surface is where the contour filter has it: both cover the same pixels, but for their edges.
+display.BlendMode = "Isosurface"
+display.IsosurfaceValues = [0.3]
+surface = picture(view, "surface")
+assert drawn(surface) > 0.02, drawn(surface)
+display.IsosurfaceValues = [0.3, 0.6]
+expect_different(picture(view, "surfaces"), surface, 60.0, "two surfaces")
+display.Shading = 1
+lit = picture(view, "lit")
+expect_alike(picture(view, "litAgain"), lit, 60.0, "lit twice")
+display.Ambient = 1.0
+display.Diffuse = 0.0
+expect_different(picture(view, "ambient"), lit, 45.0, "another material")
+display.Ambient = 0.0
+display.Diffuse = 1.0
+display.Shading = 0
+
+display.BlendMode = "Slice"
+display.SliceFunction = "Plane"
+center = view.CameraFocalPoint
+display.SliceFunction.Origin = list(center)
+display.SliceFunction.Normal = [0.0, 0.0, 1.0]
+slice = picture(view, "slice")
+assert drawn(slice) > 0.02, drawn(slice)
+display.SliceFunction.Normal = [1.0, 0.0, 0.0]
+expect_different(picture(view, "otherSlice"), slice, 45.0, "another plane")
+
+display.BlendMode = "Composite"
+expect_alike(picture(view, "wholeAgain"), whole, 60.0, "composite again")
+bounds = scene.GetDataInformation().GetBounds()
+display.Cropping = 1
+display.CroppingRegionPlanes = [bounds[0], center[0], bounds[2], bounds[3], bounds[4], bounds[5]]
+half = picture(view, "half")
+assert 0.0 < drawn(half) < drawn(whole), (drawn(half), drawn(whole))
+display.CroppingRegionFlags = "Inverted Cross"
+expect_different(picture(view, "inverted"), half, 45.0, "other regions")
+display.Cropping = 0
+
+display.LevelRange = [0, 1]
+coarse = picture(view, "coarse")
+expect_different(coarse, whole, 60.0, "without fine levels")
+assert drawn(coarse) > 0.5 * drawn(whole), (drawn(coarse), drawn(whole))
+assert statistics(display).startswith("2 levels"), statistics(display)
+display.LevelRange = [0, 100]
+expect_alike(picture(view, "allLevels"), whole, 60.0, "all levels again")
+collector.expect_silence()
+
+# Of two components the first one has colors, the second one opacity.
+pair = simple.ProgrammableFilter(Input=scene, CopyArrays=1)
+pair.Script = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+output = self.GetOutputDataObject(0)
+output.ShallowCopy(self.GetInputDataObject(0, 0))
+place = output.NewIterator()
+place.InitTraversal()
+while not place.IsDoneWithTraversal():
+    cells = place.GetCurrentDataObject().GetCellData()
+    both = vtkDoubleArray()
+    both.SetName("both")
+    both.SetNumberOfComponents(2)
+    both.SetNumberOfTuples(cells.GetNumberOfTuples())
+    for component in range(2):
+        both.CopyComponent(component, cells.GetArray("value"), 0)
+    cells.AddArray(both)
+    place.GoToNextItem()
+"""
+simple.Hide(scene, view)
+both = simple.Show(pair, view)
+both.SetRepresentationType("ExaBricks")
+simple.ColorBy(both, ("CELLS", "both"))
+both.LookupTable = display.LookupTable
+both.ScalarOpacityFunction = display.ScalarOpacityFunction
+both.OpacityUnitDistance = 8.0
+both.DependentComponents = 1
+# Within a step the color is a mean by itself, and not weighted with opacity.
+expect_alike(picture(view, "dependent"), whole, 40.0, "the same array as color and as opacity")
+both.DependentComponents = 0
+expect_different(picture(view, "magnitude"), whole, 45.0, "the magnitude of both")
+collector.expect_silence()
