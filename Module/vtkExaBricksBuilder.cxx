@@ -114,6 +114,14 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   vtkOverlappingAMR* amr)
 {
   const int* const levels = this->Self->LevelRange;
+  if (levels[1] < std::max(levels[0], 0))
+  {
+    vtkErrorWithObjectMacro(this->Self,
+      "Expected a LevelRange from one level to the same or a finer "
+      "one, found "
+        << levels[0] << " to " << levels[1] << ". Call SetLevelRange().");
+    return nullptr;
+  }
   const exabricks::AMRInput input = exabricks::readAMR(amr,
     { static_cast<unsigned int>(std::max(levels[0], 0)),
       static_cast<unsigned int>(std::max(levels[1], 0)) });
@@ -159,7 +167,14 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
     {
       return fault;
     }
-    bricked.components = array->GetNumberOfComponents();
+    const int components = array->GetNumberOfComponents();
+    if (b > 0 && components != bricked.components && this->Self->VectorMode == DISABLED)
+    {
+      return "expected the same number of components of array '" + bricked.arrayName +
+        "' in every block, found " + std::to_string(bricked.components) + " and " +
+        std::to_string(components) + ". Check the reader or filter that made it";
+    }
+    bricked.components = components;
     const int type = array->GetDataType();
     bricked.brightest = type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : array->GetDataTypeMax();
     source.setArray(static_cast<int>(b), array);
@@ -359,7 +374,7 @@ int vtkExaBricksBuilder::RequestData(
     {
       vtkErrorMacro("Out of memory on the host: expected memory for bricks, regions and values of "
         << amr->GetNumberOfCells() << " cells, which are up to " << 4 * amr->GetNumberOfCells()
-        << " bytes for the values alone. Read fewer levels.");
+        << " bytes for the values of each component alone. Read fewer levels.");
     }
   }
   catch (const std::exception& error)

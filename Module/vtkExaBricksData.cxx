@@ -114,7 +114,7 @@ unsigned long vtkExaBricksData::GetActualMemorySize()
   {
     const exabricks::BrickedVolume& bricked = *this->Bricked;
     size += static_cast<unsigned long>(
-      (bricked.volume.structure->bytes() + bricked.volume.values->bytes()) / 1024);
+      (bricked.volume.structure->bytes() + bricked.volume.valueBytes()) / 1024);
   }
   return size;
 }

@@ -92,7 +92,7 @@ private:
   void operator=(const vtkExaBricksPicker&) = delete;
 
   void FindCell(
-    const exabricks::BrickedVolume& bricked, vtkOverlappingAMR* amr, const double halfCells[3]);
+    const exabricks::BrickedVolume& bricked, vtkOverlappingAMR* amr, const double inCell[3]);
 
   std::vector<double> Values; // of the cell's components
 };

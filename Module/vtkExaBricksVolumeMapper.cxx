@@ -10,6 +10,7 @@
 #include "Adapters/FirstSeen.h"
 #include "Adapters/LightingInput.h"
 #include "Adapters/MediumInput.h"
+#include "Adapters/OpenGLFramebuffer.h"
 #include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
@@ -141,6 +142,10 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
   {
     if (!refused.empty())
     {
+      if (bricked != this->Bricked)
+      {
+        this->DropVolume(); // two of them may be too much memory
+      }
       return refused;
     }
     this->UpdateRenderer(property, bricked);
@@ -157,8 +162,8 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
 std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
 {
-  const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->ErrorTolerance,
-    { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
+  const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->SampleDistance,
+    this->Self->ErrorTolerance, { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
   const std::string refused = exabricks::checkNumbers(property, settings);
   return refused.empty() && bricked.volume.components() > 1
     ? this->Report(exabricks::checkMedium(this->Self, property, settings, bricked))
@@ -242,6 +247,7 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
   exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
   view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
   view.quality.stepScale = this->Self->StepScale;
+  view.quality.sampleDistance = this->Self->SampleDistance;
   const bool several = bricked.volume.components() > 1; // see checkMedium()
   view.quality.errorTolerance = several ? 0.0 : this->Self->ErrorTolerance;
   view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
@@ -473,10 +479,7 @@ void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
-  if (ren->GetSelector() && !exabricks::marksProps(ren->GetSelector()))
-  {
-    return; // a selector would take colours for other ids
-  }
+
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
   if (!refused.empty())
   {
@@ -508,7 +511,10 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   else if (const std::optional<std::string> fault = internals.Draw(ren, vol, bricked))
   {
     internals.ReportFault(*fault);
-    internals.Drawn.set(ren, fault->empty());
+    if (!ren->GetSelector())
+    {
+      internals.Drawn.set(ren, fault->empty());
+    }
   }
   else if (internals.Aborted)
   {
@@ -519,7 +525,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 }
 
 bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX,
-  double displayY, double opacity, double halfCells[3])
+  double displayY, double opacity, double halfCells[3], double inCell[3])
 {
   vtkInternals& internals = *this->Internals;
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
@@ -539,16 +545,20 @@ bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, d
     int size[2];
     int corner[2];
     ren->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+    if (size[0] <= 0 || size[1] <= 0)
+    {
+      return std::optional<exabricks::FirstSeen>();
+    }
     exabricks::PlaceInPicture place;
     place.ndc = { 2.0 * (displayX + 0.5 - corner[0]) / size[0] - 1.0,
       2.0 * (displayY + 0.5 - corner[1]) / size[1] - 1.0 };
-    place.depth = ren->GetZ(static_cast<int>(displayX), static_cast<int>(displayY));
+    place.depth = exabricks::readDepthAt(ren->GetRenderWindow(), displayX, displayY);
     return exabricks::findFirstSeen(internals.Renderer,
       internals.MakeView(ren, vol, of, size[0], size[1]), place,
       glm::dvec3(of.volume.structure->tree.size), opacity, fault);
   };
   std::string fault = internals.CheckData(vol->GetProperty(), *bricked);
-  std::optional<glm::dvec3> found;
+  std::optional<exabricks::FirstSeen> found;
   try
   {
     if (fault.empty())
@@ -568,7 +578,8 @@ bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, d
   }
   for (int axis = 0; found && axis < 3; ++axis)
   {
-    halfCells[axis] = (*found)[axis];
+    halfCells[axis] = found->place[axis];
+    inCell[axis] = found->inCell[axis];
   }
   return found.has_value();
 }
@@ -585,6 +596,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Reconstruction: " << this->GetReconstructionAsString() << "\n";
   os << indent << "StepScale: " << this->StepScale << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
   os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";

@@ -107,19 +107,29 @@ public:
 
   ///@{
   /**
+   * Distance of two samples of the field on a ray, a length in the data's own coordinates, the same
+   * everywhere, as of vtkGPUVolumeRayCastMapper. 0 (default): that of the StepScale, which follows
+   * the cells. A region shorter than it has one sample.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
    * The error to draw with, as a root mean square over red, green, blue and opacity, in [0, 1], of
    * the pixels that are drawn (opacity of at least 1/255), beside the exact integral of the same
    * reconstruction; 0.004 is one of 255 steps. Steps are then chosen for each picture from a few of
    * its pixels, longer ones where the transfer function hardly varies over a region's values and
-   * behind what is nearly opaque, and neither StepScale nor EarlyTerminationOpacity count. Finest
-   * levels that the picture hardly needs, as their cells are smaller than pixels or vary little,
-   * are left out: the next one's cells take the mean of theirs. For that the device holds the
-   * volume without them too, a quarter more memory where blocks are large, up to twice as much in
-   * octrees of small ones. The choice depends on the view and its opaque geometry alone, not on
-   * what was drawn before; the tiles of a large picture and the eyes of a stereo one have that of
-   * the whole, without regard to geometry. 0 (default): step and opacity alone count, and all
-   * levels are drawn. Has no effect on the nearest reconstruction, which is exact. Below about 1e-4
-   * a picture takes seconds, and single precision is the limit.
+   * behind what is nearly opaque, and neither StepScale, SampleDistance nor EarlyTerminationOpacity
+   * count. Finest levels that the picture hardly needs, as their cells are smaller than pixels or
+   * vary little, are left out: the next one's cells take the mean of theirs. For that the device
+   * holds the volume without them too, a quarter more memory where blocks are large, up to twice as
+   * much in octrees of small ones. The choice depends on the view and its opaque geometry alone,
+   * not on what was drawn before; the tiles of a large picture and the eyes of a stereo one have
+   * that of the whole, without regard to geometry. 0 (default): step and opacity alone count, and
+   * all levels are drawn. Has no effect on the nearest reconstruction, which is exact. Below about
+   * 1e-4 a picture takes seconds, and single precision is the limit.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
@@ -268,6 +278,7 @@ protected:
 
   int Reconstruction = BASIS;
   double StepScale = 1.0;
+  double SampleDistance = 0.0;
   double ErrorTolerance = 0.0;
   int Traversal = AUTOMATIC;
   double EarlyTerminationOpacity = 0.999;
@@ -280,10 +291,10 @@ protected:
 
 private:
   friend class vtkExaBricksPicker;
-  // Where the volume is first seen at a place of the window, in half cells of the builder's output
-  // (Adapters/FirstSeen.h). False: nowhere.
+  // // Where the volume is first seen at a place of the renderer's window, in half cells of the
+  // builder's output (Adapters/FirstSeen.h). False: nowhere.
   bool FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX, double displayY,
-    double opacity, double halfCells[3]);
+    double opacity, double halfCells[3], double inCell[3]);
 
   vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;
   void operator=(const vtkExaBricksVolumeMapper&) = delete;

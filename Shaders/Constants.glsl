@@ -7,6 +7,7 @@ TransferBins transferBins;
 TransferKnots transferKnots;
 float stepScale;
 float transmittanceExponent;
+float fixedStep;
 float integralUnit;
 float inverseIntegralUnit;
 float terminationOpacity;
@@ -21,6 +22,7 @@ void readConstants(FrameBuffer f)
   transferKnots = TransferKnots(f.frame.transferKnots);
   stepScale = f.frame.stepScale;
   transmittanceExponent = f.frame.transmittanceExponent;
+  fixedStep = f.frame.fixedStep;
   integralUnit = f.frame.integralUnit;
   inverseIntegralUnit = 1.0 / integralUnit;
   terminationOpacity = f.frame.terminationOpacity;

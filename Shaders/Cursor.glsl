@@ -39,6 +39,14 @@ void forgetPoint(inout Cursor cursor)
   cursor.exit = -1.0;
 }
 
+// How much longer intervals of a region may be than those of its step; or, where all steps are equal,
+// are.
+float growthOfStep(Ray ray, float step, Accumulator gathered)
+{
+  return fixedStep > 0.0 ? fixedStep / (ray.unitsPerHalfCell * stepScale * abs(step))
+                         : growthOfIntervals(gathered);
+}
+
 // `step`: as in ActiveBox. `growth`: of intervals, as their error is seen less.
 void enterRegion(
   uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)

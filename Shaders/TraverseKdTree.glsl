@@ -70,7 +70,8 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
       const KdNode leaf = locate(nodes, ray, entry, pending, exit);
       if (leaf.link >> 2 != KD_NO_REGION)
       {
-        enterRegion(leaf.link >> 2, intBitsToFloat(leaf.plane), growthOfIntervals(gathered), entry,
+        const float step = intBitsToFloat(leaf.plane);
+        enterRegion(leaf.link >> 2, step, growthOfStep(ray, step, gathered), entry,
           exit, cursor);
       }
     }

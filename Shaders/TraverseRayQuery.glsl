@@ -91,8 +91,8 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
         isFar = true;
         break;
       }
-      enterRegion(
-        box.firstBrick, box.step, growthOfIntervals(gathered), cross.x, cross.y, cursor);
+      enterRegion(box.firstBrick, box.step, growthOfStep(ray, box.step, gathered), cross.x, cross.y,
+        cursor);
       while (cursor.intervals > 0)
       {
         marchOn(ray, cursor, gathered);

@@ -6,6 +6,8 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
+
 namespace exabricks
 {
 namespace
@@ -57,12 +59,6 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
 }
 
-bool marksProps(vtkHardwareSelector* selector)
-{
-  return selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS ||
-    selector->GetCurrentPass() == vtkHardwareSelector::PROCESS_PASS;
-}
-
 std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
   const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer)
 {
@@ -72,22 +68,57 @@ std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
   {
     return std::string();
   }
-  View view = makeView(viewport.width, viewport.height);
+  vtkHardwareSelector* const selector = ren->GetSelector();
+  const int pass = selector->GetCurrentPass();
+  float color[3] = { 0.0f, 0.0f, 0.0f };
+  if (pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS)
+  {
+    selector->BeginRenderProp();
+    selector->GetPropColorValue(color);
+    selector->EndRenderProp();
+  }
+  if (pass == vtkHardwareSelector::ACTOR_PASS)
+  {
+    this->Selected.clear();
+    // Without a number for the prop, it would lose what is behind it.
+    if (color[0] != 0.0f || color[1] != 0.0f || color[2] != 0.0f)
+    {
+      View view = makeView(viewport.width, viewport.height);
+      this->RestrictDepth(window, viewport, selector->GetArea());
+      view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
+      view.target.depth = this->Depth.data();
+      const std::string fault = renderer.render(view, this->Selected);
+      if (!fault.empty())
+      {
+        this->Selected.clear();
+        return fault;
+      }
+    }
+  }
+  // Other passes of a selection cover the same pixels.
+  if (this->Selected.size() != static_cast<std::size_t>(viewport.width) * viewport.height)
+  {
+    return std::string();
+  }
+  this->Back.resize(this->Selected.size());
+  std::transform(this->Selected.begin(), this->Selected.end(), this->Back.begin(),
+    [&](const glm::vec4& pixel)
+    {
+      return pixel.a > 3.0f / 255.0f ? glm::vec4(color[0], color[1], color[2], 1.0f)
+                                     : glm::vec4(0.0f);
+    });
+  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
+}
+
+// Reads the depth of geometry; outside of the area (in pixels of the window) rays end where they
+// begin.
+void Compositor::RestrictDepth(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4])
+{
   if (readDepth(window, viewport, this->Depth) != OpaqueDepth::Read)
   {
     this->Depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
   }
-  vtkHardwareSelector* const selector = ren->GetSelector();
-  float color[3];
-  selector->BeginRenderProp();
-  selector->GetPropColorValue(color);
-  selector->EndRenderProp();
-  if (color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f)
-  {
-    return std::string(); // it has no number for the prop, and would lose what is behind it
-  }
-  // Outside of the area rays end where they begin.
-  const unsigned int* const area = selector->GetArea();
   for (int y = 0; y < viewport.height; ++y)
   {
     for (int x = 0; x < viewport.width; ++x)
@@ -100,18 +131,6 @@ std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
       }
     }
   }
-  view.target.depth = this->Depth.data();
-  const std::string fault = renderer.render(view, this->Back);
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  for (glm::vec4& pixel : this->Back)
-  {
-    pixel =
-      pixel.a > 3.0f / 255.0f ? glm::vec4(color[0], color[1], color[2], 1.0f) : glm::vec4(0.0f);
-  }
-  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
 }
 
 std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,

@@ -11,14 +11,11 @@
 #include <functional>
 #include <optional>
 
-class vtkHardwareSelector;
 class vtkRenderer;
 
 namespace exabricks
 {
-/// Whether the selector's present pass asks which prop or process is where: what it asks for in
-/// others is not told of volumes.
-bool marksProps(vtkHardwareSelector* selector);
+///
 
 class Compositor
 {
@@ -31,8 +28,9 @@ public:
     const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
     VolumeRenderer& renderer, const VolumeRenderer::Progress& progress);
 
-  /// Draws, in a selector's pass for which marksProps() is true, the prop's colour where more than
-  /// 3/255 of opacity shows in the selected area. Returns as draw() does.
+  /// /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
+  /// the selected area; and in those that ask for anything but props and processes, which are told
+  /// of no volume, black. Returns as draw() does.
   std::optional<std::string> drawSelection(vtkRenderer* ren,
     const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer);
 
@@ -40,14 +38,17 @@ public:
   void release(vtkWindow* window);
 
 private:
+  void RestrictDepth(
+    vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4]);
   std::optional<std::string> DrawPeel(vtkOpenGLRenderWindow* window, const Viewport& viewport,
     View view, const ColorWindow& colors, VolumeRenderer& renderer,
     const VolumeRenderer::Progress& progress);
 
   OpenGLPicture Picture;
   DepthPeel Peel;
-  Pixels Back;  // the picture; of a peel, the part behind what is peeled
-  Pixels Front; // of a peel, the part before it
+  Pixels Selected; // what shows in the area of a selector; empty: it has no number for the prop
+  Pixels Back;     // the picture; of a peel, the part behind what is peeled
+  Pixels Front;    // of a peel, the part before it
   std::vector<float> Depth;
 };
 }

@@ -33,7 +33,13 @@ struct WorldPlane
   explicit WorldPlane(vtkPlane* plane)
   {
     plane->GetOrigin(&this->origin.x);
-    plane->GetNormal(&this->normal.x);
+    plane->EvaluateGradient(&this->origin.x, &this->normal.x);
+    // From VTK 9.5 on a plane may be moved along its normal, or turned to an axis.
+    const double height = plane->EvaluateFunction(&this->origin.x);
+    if (height != 0.0 && this->isPlane())
+    {
+      this->origin -= this->normal * (height / glm::dot(this->normal, this->normal));
+    }
   }
   bool isPlane() const
   {

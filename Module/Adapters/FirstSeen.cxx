@@ -68,7 +68,7 @@ glm::dmat4 lookAlong(const Line& line)
 }
 }
 
-std::optional<glm::dvec3> findFirstSeen(VolumeRenderer& renderer, View view,
+std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
   const PlaceInPicture& place, const glm::dvec3& size, double opacity, std::string& fault)
 {
   const std::optional<Line> line = findLine(view, place, size);
@@ -76,7 +76,7 @@ std::optional<glm::dvec3> findFirstSeen(VolumeRenderer& renderer, View view,
   {
     return std::nullopt;
   }
-  // Levels and steps are those of the picture.
+  view.quality.terminationOpacity = std::max(view.quality.terminationOpacity, opacity);
   view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
   view.camera.ndcToHalfCells = lookAlong(*line);
   // Each pixel ends at a depth of its own: a search among 64 at a time.
@@ -121,6 +121,10 @@ std::optional<glm::dvec3> findFirstSeen(VolumeRenderer& renderer, View view,
     behind = depths[static_cast<std::size_t>(first - picture.begin())];
     before = std::max(before, behind - piece);
   }
-  return line->from + behind * (line->to - line->from);
+  // Faces are found in single precision (Shaders/Ray.glsl, behindFace()).
+  const double length = glm::length(line->to - line->from);
+  const double ahead = behind + std::max(1e-3, 1e-6 * length) / length;
+  const auto at = [&](double part) { return line->from + part * (line->to - line->from); };
+  return FirstSeen{ at(behind), at(std::min(ahead, 1.0 - 1e-12)) };
 }
 }

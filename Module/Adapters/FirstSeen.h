@@ -16,11 +16,17 @@ struct PlaceInPicture
   double depth = 1.0; // of the window, in [0, 1]
 };
 
+/// /// In half cells.
+struct FirstSeen
+{
+  glm::dvec3 place;  // a 2^-24th of the ray's way through the bounds behind the exact one
+  glm::dvec3 inCell; // so far behind it that it is in the cell that is seen there, whatever rounds
+};
+
 /// Where the opacity from the viewer on comes to `opacity`, or, where the greatest or the least
-/// value of a ray is shown, where that value is; in half cells, a 2^-24th of the ray's way through
-/// the bounds behind it. `size`: of the bounds, half cells. None: nowhere. `fault`: what went
-/// wrong.
-std::optional<glm::dvec3> findFirstSeen(VolumeRenderer& renderer, View view,
+/// value of a ray is shown, where that value is. `size`: of the bounds, half cells. None: nowhere.
+/// `fault`: what went wrong. Levels and steps are those of a picture without geometry.
+std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
   const PlaceInPicture& place, const glm::dvec3& size, double opacity, std::string& fault);
 }
 

@@ -64,6 +64,10 @@ Requests checkMedium(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   for (int k = 0; k < (independent ? components : 1); ++k)
   {
     gradients = gradients || hasGradientOpacity(property, k) || property->GetShade(k);
+    if (k > 0 && hasCategories(property, k))
+    {
+      requests.drawnWithout.push_back(describeCategories());
+    }
   }
   if (gradients)
   {

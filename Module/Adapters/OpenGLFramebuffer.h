@@ -7,6 +7,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
 
 namespace exabricks
 {
@@ -32,6 +33,10 @@ enum class OpaqueDepth
 /// the bottom. Of several samples of a pixel OpenGL chooses one.
 OpaqueDepth readDepth(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, std::vector<float>& depth);
+
+/// Window depth in [0, 1] of a pixel of the window's last picture, from its lower left corner; 1
+/// where there is none.
+double readDepthAt(vtkRenderWindow* window, double x, double y);
 }
 
 #endif

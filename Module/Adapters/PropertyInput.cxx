@@ -43,6 +43,18 @@ bool hasGradientOpacity(vtkVolumeProperty* property, int component)
     changesOpacity(property->GetGradientOpacity(component));
 }
 
+bool hasCategories(vtkVolumeProperty* property, int component)
+{
+  return property->GetColorChannels(component) == 3 &&
+    property->GetRGBTransferFunction(component)->GetIndexedLookup();
+}
+
+std::string describeCategories()
+{
+  return "Colors of categories (IndexedLookup) are not supported yet: the volume is drawn with the "
+         "colors between the nodes of the color function.";
+}
+
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
@@ -92,10 +104,9 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
       "Replacements in VTK's shaders (vtkShaderProperty) are not supported yet: the volume is "
       "drawn without them.");
   }
-  if (property->GetColorChannels(0) == 3 && property->GetRGBTransferFunction(0)->GetIndexedLookup())
+  if (hasCategories(property))
   {
-    without("Colors of categories (IndexedLookup) are not supported yet: the volume is drawn with "
-            "the colors between the nodes of the color function.");
+    without(describeCategories());
   }
   return requests;
 }
@@ -110,14 +121,14 @@ std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& sett
   }
   const double unit = property->GetScalarOpacityUnitDistance(0);
   if (unit > 0.0 && std::isfinite(unit) && std::isfinite(settings.stepScale) &&
-    std::isfinite(settings.errorTolerance))
+    std::isfinite(settings.errorTolerance) && std::isfinite(settings.sampleDistance))
   {
     return {};
   }
-  return "expected a finite, positive ScalarOpacityUnitDistance, a finite StepScale and a finite "
-         "ErrorTolerance, found " +
-    std::to_string(unit) + ", " + std::to_string(settings.stepScale) + " and " +
-    std::to_string(settings.errorTolerance);
+  return "expected a finite, positive ScalarOpacityUnitDistance, and a finite StepScale, "
+         "SampleDistance and ErrorTolerance, found " +
+    std::to_string(unit) + ", " + std::to_string(settings.stepScale) + ", " +
+    std::to_string(settings.sampleDistance) + " and " + std::to_string(settings.errorTolerance);
 }
 
 Blending findBlending(vtkVolumeMapper* mapper)

@@ -27,12 +27,18 @@ struct Requests
 struct MapperSettings
 {
   double stepScale = 1.0;
+  double sampleDistance = 0.0;
   double errorTolerance = 0.0;
   ColorWindow colors;
 };
 
 /// Whether the property's opacity of a component depends on gradients.
 bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
+
+/// /// Whether the property's colours of a component are those of categories, and the warning of
+/// it.
+bool hasCategories(vtkVolumeProperty* property, int component = 0);
+std::string describeCategories();
 
 /// Checks what can be told without data.
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);

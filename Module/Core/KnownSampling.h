@@ -35,7 +35,9 @@ struct KnownSampling
       this->view.target.width == other.target.width &&
       this->view.target.height == other.target.height &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
-      this->view.cutaway == other.cutaway &&
+      this->view.cutaway == other.cutaway && this->view.slicePlane == other.slicePlane &&
+      this->view.lighting == other.lighting && this->view.slicePlane == other.slicePlane &&
+      this->view.lighting == other.lighting &&
       Alike(this->view.camera.ndcToHalfCells, other.camera.ndcToHalfCells, allowed) &&
       this->view.camera.halfCellsToData == other.camera.halfCellsToData &&
       this->depth.empty() == !other.target.depth &&

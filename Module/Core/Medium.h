@@ -5,6 +5,8 @@
 
 #include "Core/TransferFunction.h"
 
+#include <algorithm>
+
 namespace exabricks
 {
 /// As vtkVolumeProperty's independent components, and its dependent ones: two or four of them.
@@ -47,6 +49,20 @@ struct Medium
     return all;
   }
 };
+
+/// Whether the same values of the same components show, so that the active regions can be kept.
+inline bool showTheSame(const Medium& a, const Medium& b)
+{
+  if (a.mixing != b.mixing || a.functions.size() != b.functions.size())
+  {
+    return false;
+  }
+  const std::vector<const TransferFunction*> ofA = a.visibility();
+  const std::vector<const TransferFunction*> ofB = b.visibility();
+  return std::equal(ofA.begin(), ofA.end(), ofB.begin(), ofB.end(),
+    [](const TransferFunction* first, const TransferFunction* second)
+    { return first && second ? first->showsTheSame(*second) : first == second; });
+}
 }
 
 #endif

@@ -55,6 +55,9 @@ struct Quality
 {
   Reconstruction reconstruction = Reconstruction::Basis;
   double stepScale = 1.0; // step in cells of the region's finest brick
+  /// Distance of two samples, a length in the data's coordinates, in place of stepScale; 0: that
+  /// counts.
+  double sampleDistance = 0.0;
   /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
   /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
   /// terminationOpacity alone count, and all levels are drawn.
@@ -87,6 +90,7 @@ inline bool samePicture(const View& a, const View& b)
     a.camera.halfCellsToData == b.camera.halfCellsToData && a.target.width == b.target.width &&
     a.target.height == b.target.height && a.quality.reconstruction == b.quality.reconstruction &&
     a.quality.stepScale == b.quality.stepScale &&
+    a.quality.sampleDistance == b.quality.sampleDistance &&
     a.quality.errorTolerance == b.quality.errorTolerance &&
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&

@@ -19,6 +19,17 @@ struct Volume
   /// Whether there is anything to draw.
   explicit operator bool() const { return this->structure && this->values; }
 
+  /// Of the values of all components, on the host.
+  std::uint64_t valueBytes() const
+  {
+    std::uint64_t bytes = 0;
+    for (std::size_t k = 0; k < this->components(); ++k)
+    {
+      bytes += this->valuesOf(k)->bytes();
+    }
+    return bytes;
+  }
+
   std::size_t components() const { return 1 + this->furtherValues.size(); }
   const std::shared_ptr<const Values>& valuesOf(std::size_t component) const
   {

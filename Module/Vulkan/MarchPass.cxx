@@ -176,6 +176,7 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.width = static_cast<std::uint32_t>(view.target.width);
   frame.height = static_cast<std::uint32_t>(view.target.height);
   frame.stepScale = static_cast<float>(view.quality.stepScale);
+  frame.fixedStep = static_cast<float>(view.quality.sampleDistance / view.opacityUnitDistance);
   frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
   frame.leastToAverage = static_cast<float>(view.averageRange.x);
   frame.mostToAverage = static_cast<float>(view.averageRange.y);

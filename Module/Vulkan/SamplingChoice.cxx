@@ -55,10 +55,11 @@ SamplingChoice::SamplingChoice(std::shared_ptr<Device> device)
 Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const MakeFrame& makeFrame)
 {
   const View view = wholeOf(part);
-  if (this->Known.isOf(view))
+  KnownSampling& known = this->Known[part.target.whole ? 1 : 0];
+  if (known.isOf(view))
   {
     this->Seconds = 0.0;
-    return this->Known.sampling;
+    return known.sampling;
   }
   const Stopwatch watch;
   const double all = static_cast<double>(view.target.width) * view.target.height;
@@ -71,7 +72,7 @@ Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const Mak
       sampling = Sampling{ 0, StepScaleOfLittle };
     }
   }
-  this->Known = KnownSampling(view, *sampling);
+  known = KnownSampling(view, *sampling);
   this->Seconds = watch.seconds();
   return *sampling;
 }

@@ -6,6 +6,10 @@
 #include "Core/KnownSampling.h"
 #include "Vulkan/DeviceSparsePictures.h"
 
+#include <array>
+
+#include <array>
+
 namespace exabricks
 {
 namespace vulkan
@@ -30,7 +34,9 @@ private:
     const View& view, double pixels, const MarchPass& pass, const MakeFrame& makeFrame);
 
   DeviceSparsePictures Pictures;
-  KnownSampling Known;
+  // Of the last whole picture, and of the last one of which parts were drawn: what is picked in a
+  // picture does not make it be searched anew.
+  std::array<KnownSampling, 2> Known;
   double Seconds = 0.0;
 };
 }

@@ -18,7 +18,8 @@ struct VolumeRenderer::Internals
   // What the caller set.
   Traversal RequestedTraversal = Traversal::Automatic;
   TransferFunction Transfer;
-  Medium Mixed; // in its place, for several components
+  Medium Mixed;               // in its place, for several components
+  std::size_t Components = 1; // of the volume that was set last
   std::vector<float> GradientOpacity;
   // And with the last view: what is looked up and what shows depend on it.
   Blending Blended = Blending::Composite;
@@ -315,6 +316,10 @@ struct VolumeRenderer::Internals
     this->UpdateBlending(view);
     const bool searched =
       view.quality.errorTolerance > 0.0 && view.quality.reconstruction != Reconstruction::Nearest;
+    if (searched)
+    {
+      view.quality.sampleDistance = 0.0;
+    }
     // Weights are those of absorption: else all steps are equal.
     const bool weighted = searched && view.blending == Blending::Composite;
     this->UpdateWeights(weighted);
@@ -342,7 +347,7 @@ struct VolumeRenderer::Internals
   }
 
   // Why the volume's components cannot be drawn; empty: they can.
-  std::string CheckComponents(const View& view) const
+  std::string CheckMedium() const
   {
     if (!this->HasComponents())
     {
@@ -358,13 +363,20 @@ struct VolumeRenderer::Internals
     {
       return "the functions do not fit the volume's " + std::to_string(components) + " components";
     }
-    if (view.blending != Blending::Composite || view.lighting ||
-      view.quality.errorTolerance > 0.0 || !this->GradientOpacity.empty())
+    if (!this->GradientOpacity.empty())
     {
-      return "several components are drawn by absorption alone, without lighting, gradient opacity "
-             "or an error tolerance";
+      return "several components are drawn without gradient opacity";
     }
     return {};
+  }
+
+  // The same of the view.
+  std::string CheckView(const View& view) const
+  {
+    return this->HasComponents() &&
+        (view.blending != Blending::Composite || view.lighting || view.quality.errorTolerance > 0.0)
+      ? "several components are drawn by absorption alone, without lighting or an error tolerance"
+      : "";
   }
 
   void ClearPicture(const View& view, std::vector<glm::vec4>& picture) const
@@ -436,9 +448,9 @@ void VolumeRenderer::setVolume(const Volume& volume)
   this->Data->Session.forget();
   this->Data->ForgetChoice();
   this->Data->SceneFailed = false;
-  if (!this->Data->Levels.empty() &&
-    this->Data->Levels.volume().components() != volume.components())
+  if (volume && volume.components() != this->Data->Components)
   {
+    this->Data->Components = volume.components();
     this->Data->Colors.reset();
   }
   this->Data->Levels.setVolume(volume);
@@ -461,8 +473,12 @@ void VolumeRenderer::setMedium(const Medium& medium)
 {
   this->Data->Session.forget();
   this->Data->Colors.reset();
+  const bool keeps = showTheSame(medium, this->Data->Mixed);
   this->Data->Mixed = medium;
-  this->Data->InvalidateSelection();
+  if (!keeps)
+  {
+    this->Data->InvalidateSelection();
+  }
 }
 
 void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
@@ -478,7 +494,8 @@ void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
 
 std::string VolumeRenderer::prepare()
 {
-  return this->Data->Run([&] { this->Data->Update(); });
+  const std::string unmixed = this->Data->CheckMedium();
+  return unmixed.empty() ? this->Data->Run([&] { this->Data->Update(); }) : unmixed;
 }
 
 std::string VolumeRenderer::render(
@@ -492,10 +509,12 @@ std::string VolumeRenderer::render(
     return "the volume's values do not fit the reconstruction: completed ones, with a layer around "
            "each brick, are for Completed alone";
   }
-  const std::string unmixed = this->Data->CheckComponents(view);
-  if (!unmixed.empty())
+  for (const std::string& unmixed : { this->Data->CheckMedium(), this->Data->CheckView(view) })
   {
-    return unmixed;
+    if (!unmixed.empty())
+    {
+      return unmixed;
+    }
   }
   if (view.cutaway.clippingPlanes.size() > Cutaway::MostClippingPlanes)
   {

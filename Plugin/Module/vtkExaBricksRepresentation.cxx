@@ -13,6 +13,8 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkContourValues.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -159,7 +161,7 @@ void vtkExaBricksRepresentation::TakeDeliveredData(vtkInformation* inInfo)
   if (amr && exabricks::getFirstBlock(amr))
   {
     this->Mapper->SetInputConnection(data);
-    this->Volume->SetOutlineOnly(!this->SelectArray());
+    this->Volume->SetOutlineOnly(!this->SelectArray(amr));
   }
   else
   {
@@ -168,7 +170,7 @@ void vtkExaBricksRepresentation::TakeDeliveredData(vtkInformation* inInfo)
   }
 }
 
-bool vtkExaBricksRepresentation::SelectArray()
+bool vtkExaBricksRepresentation::SelectArray(vtkOverlappingAMR* amr)
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
   const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
@@ -203,9 +205,12 @@ bool vtkExaBricksRepresentation::SelectArray()
 
   vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
   const bool component = color->GetVectorMode() == vtkScalarsToColors::COMPONENT;
-  this->Mapper->SetVectorMode(this->DependentComponents ? vtkExaBricksVolumeMapper::DISABLED
-      : component                                       ? vtkExaBricksVolumeMapper::COMPONENT
-                                                        : vtkExaBricksVolumeMapper::MAGNITUDE);
+  vtkDataArray* array = exabricks::getFirstBlock(amr)->GetAttributes(association)->GetArray(name);
+  const int components = array ? array->GetNumberOfComponents() : 1;
+  const bool dependent = this->DependentComponents && (components == 2 || components == 4);
+  this->Mapper->SetVectorMode(dependent ? vtkExaBricksVolumeMapper::DISABLED
+      : component                       ? vtkExaBricksVolumeMapper::COMPONENT
+                                        : vtkExaBricksVolumeMapper::MAGNITUDE);
   this->Mapper->SetVectorComponent(component ? color->GetVectorComponent() : 0);
   return true;
 }

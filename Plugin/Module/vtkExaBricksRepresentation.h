@@ -27,6 +27,7 @@ class vtkExaBricksVolume;
 class vtkExaBricksVolumeMapper;
 class vtkImplicitFunction;
 class vtkOutlineSource;
+class vtkOverlappingAMR;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
@@ -112,7 +113,7 @@ private:
   void ProvideData(vtkInformation* inInfo, vtkInformation* outInfo);
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
-  bool SelectArray();
+  bool SelectArray(vtkOverlappingAMR* amr);
   // Called after each picture.
   void UpdateStatistics();
 

@@ -161,5 +161,14 @@ int TestComponents(int, char*[])
   test::Picture(five.window);
   checks.Says(messages.TakeErrors(), { "at most 4", "found 5", "SetVectorModeToMagnitude" },
     "five components");
+
+  // Blocks that differ in their components.
+  auto unequal = test::makeAMR(test::cornerRefined(), test::constant(0.0));
+  test::forEachGrid(unequal,
+    [](unsigned int level, vtkUniformGrid* grid)
+    { test::addCells(grid, std::vector<test::Field>(level == 0 ? 2 : 4, test::constant(1.0))); });
+  Scene differing(checks, unequal);
+  test::Picture(differing.window);
+  checks.Says(messages.TakeErrors(), { "same number of components", "2 and 4" }, "unequal blocks");
   return checks.Status();
 }

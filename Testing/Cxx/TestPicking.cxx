@@ -7,6 +7,9 @@
 #include "Stage.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkContourValues.h"
 #include "vtkCubeSource.h"
 #include "vtkExaBricksPicker.h"
@@ -53,7 +56,9 @@ struct Scene : test::Stage
   void PicksAt(double x, double y, double z, const std::string& what)
   {
     this->Checked.Expect(this->Pick(x, y), what + ": something is picked");
-    this->Checked.Expect(this->picker->GetVolume() == this->volume, what + ": the volume");
+    vtkAssemblyPath* path = this->picker->GetPath();
+    this->Checked.Expect(
+      path && path->GetLastNode()->GetViewProp() == this->volume, what + ": the volume");
     const double* position = this->picker->GetPickPosition();
     this->Checked.Near(position[0], x, 1e-6, what + ": x");
     this->Checked.Near(position[1], y, 1e-6, what + ": y");
@@ -89,6 +94,7 @@ int TestPicking(int, char*[])
   test::setConstantColor(scene.Property(), 0.2);
   const double way = std::log(1.0 - 0.05) / std::log(1.0 - 0.2);
   scene.PicksAt(6.1, 6.1, 8.0 - way, "a twentieth of opacity");
+  checks.Expect(scene.picker->GetVolume() == scene.volume, "the picked volume");
   scene.IsCell(0, 0, { 6, 6, 7 }, 7.5, "a coarse cell");
   scene.picker->SetVolumeOpacityIsovalue(0.75);
   scene.PicksAt(1.3, 2.7, 8.0 - std::log(0.25) / std::log(0.8), "three quarters of opacity");
@@ -172,7 +178,46 @@ int TestPicking(int, char*[])
   layers.PicksAt(6.1, 6.1, 5.3, "a moved one");
   layers.IsCell(0, 0, { 6, 6, 3 }, 3.5, "the same cell");
 
+  // An assembly moves its parts, and is the first of the picked path.
+  vtkNew<vtkAssembly> assembly;
+  layers.renderer->RemoveVolume(layers.volume);
+  assembly->AddPart(layers.volume);
+  assembly->SetPosition(0.0, 0.0, 1.0);
+  layers.renderer->AddActor(assembly);
+  layers.PicksAt(6.1, 6.1, 6.3, "a part of an assembly");
+  checks.Expect(layers.picker->GetAssembly() == assembly, "the assembly is picked");
+  assembly->PickableOff();
+  checks.Expect(!layers.Pick(6.1, 6.1), "an assembly that is not pickable");
+
+  // Opaque cells: the cell that is seen, not the transparent one in front of it, from any side.
+  Scene cells(checks,
+    [](double px, double py, double pz)
+    { return std::hypot(px - 4.0, py - 4.0, pz - 4.0) < 3.0 ? 1.0 : 0.0; });
+  cells.mapper->SetReconstructionToNearest();
+  cells.Property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  cells.Property()->GetScalarOpacity()->AddPoint(0.5, 0.0);
+  cells.Property()->GetScalarOpacity()->AddPoint(0.6, 1.0);
+  for (int side = 0; side < 6; ++side)
+  {
+    vtkCamera* camera = cells.renderer->GetActiveCamera();
+    camera->Azimuth(61.0);
+    camera->Elevation(side % 2 == 0 ? 33.0 : -33.0);
+    camera->OrthogonalizeViewUp();
+    cells.renderer->ResetCameraClippingRange();
+    cells.window->Render();
+    for (int at = 30; at < 52; at += 3)
+    {
+      checks.Expect(cells.picker->Pick(at, 81 - at, 0.0, cells.renderer) != 0, "a cell is picked");
+      checks.Equal(cells.picker->GetValue(), 1.0, "the cell that is seen");
+    }
+  }
+
   checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
     "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Equal(cells.picker->Pick(1.0, 1.0, 0.0, nullptr), 0, "no renderer");
+  checks.Says(messages.TakeErrors(), { "renderer", "found none" }, "no renderer");
+  vtkNew<vtkRenderer> alone;
+  checks.Equal(cells.picker->Pick(1.0, 1.0, 0.0, alone), 0, "no window");
+  checks.Says(messages.TakeErrors(), { "without a window" }, "no window");
   return checks.Status();
 }
