@@ -10,7 +10,6 @@
 #include "Adapters/FirstSeen.h"
 #include "Adapters/LightingInput.h"
 #include "Adapters/MediumInput.h"
-#include "Adapters/OpenGLFramebuffer.h"
 #include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
@@ -540,31 +539,17 @@ bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, d
   {
     return false;
   }
-  const auto find = [&](const exabricks::BrickedVolume& of, std::string& fault)
-  {
-    int size[2];
-    int corner[2];
-    ren->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-    if (size[0] <= 0 || size[1] <= 0)
-    {
-      return std::optional<exabricks::FirstSeen>();
-    }
-    exabricks::PlaceInPicture place;
-    place.ndc = { 2.0 * (displayX + 0.5 - corner[0]) / size[0] - 1.0,
-      2.0 * (displayY + 0.5 - corner[1]) / size[1] - 1.0 };
-    place.depth = exabricks::readDepthAt(ren->GetRenderWindow(), displayX, displayY);
-    return exabricks::findFirstSeen(internals.Renderer,
-      internals.MakeView(ren, vol, of, size[0], size[1]), place,
-      glm::dvec3(of.volume.structure->tree.size), opacity, fault);
-  };
   std::string fault = internals.CheckData(vol->GetProperty(), *bricked);
   std::optional<exabricks::FirstSeen> found;
   try
   {
-    if (fault.empty())
+    const auto place = exabricks::findPlace(ren, displayX, displayY);
+    if (fault.empty() && place)
     {
       internals.UpdateRenderer(vol->GetProperty(), bricked);
-      found = find(*bricked, fault);
+      found = exabricks::findFirstSeen(internals.Renderer,
+        internals.MakeView(ren, vol, *bricked, place->width, place->height), *place,
+        glm::dvec3(bricked->volume.structure->tree.size), opacity, fault);
     }
   }
   catch (const std::bad_alloc&)

@@ -187,7 +187,7 @@ struct Frame
   uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
   float leastToAverage;        // normalised values that count for BLENDING_AVERAGE
   float mostToAverage;
-  float fixedStep; // in opacity unit distances; 0: the boxes' steps count
+  float fixedStep;      // in opacity unit distances; 0: the boxes' steps count
   DeviceAddress bricks; // Brick[], uint[], KdNode[], ...
   DeviceAddress brickLists;
   DeviceAddress nodes;

@@ -9,9 +9,11 @@
 
 namespace exabricks
 {
-/// A place of a picture, in normalised device coordinates; what is behind `depth` is not seen.
+/// /// A place of a picture, in normalised device coordinates; what is behind `depth` is not seen.
 struct PlaceInPicture
 {
+  int width = 0;  // of the picture, pixels
+  int height = 0; // pixels
   glm::dvec2 ndc{ 0.0 };
   double depth = 1.0; // of the window, in [0, 1]
 };

@@ -3,8 +3,6 @@
 
 #include "Adapters/OpenGLStateKeeper.h"
 
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -105,20 +103,5 @@ OpaqueDepth readDepth(
   return std::any_of(depth.begin(), depth.end(), [](float z) { return z < 1.0f; })
     ? OpaqueDepth::Read
     : OpaqueDepth::None;
-}
-
-double readDepthAt(vtkRenderWindow* window, double x, double y)
-{
-  if (window->GetNeverRendered())
-  {
-    return 1.0;
-  }
-  const int column = static_cast<int>(x);
-  const int row = static_cast<int>(y);
-  vtkNew<vtkFloatArray> depth;
-  const int done = window->GetZbufferData(column, row, column, row, depth);
-  return done == VTK_OK && depth->GetNumberOfValues() == 1
-    ? std::clamp<double>(depth->GetValue(0), 0.0, 1.0)
-    : 1.0;
 }
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkRenderWindow;
 
 namespace exabricks
 {
@@ -34,9 +33,7 @@ enum class OpaqueDepth
 OpaqueDepth readDepth(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, std::vector<float>& depth);
 
-/// Window depth in [0, 1] of a pixel of the window's last picture, from its lower left corner; 1
-/// where there is none.
-double readDepthAt(vtkRenderWindow* window, double x, double y);
+///
 }
 
 #endif

@@ -4,6 +4,8 @@
 #include "Adapters/Matrices.h"
 
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -101,5 +103,28 @@ View makeView(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, in
     view.target.whole = whole;
   }
   return view;
+}
+
+std::optional<PlaceInPicture> findPlace(vtkRenderer* ren, double displayX, double displayY)
+{
+  PlaceInPicture place;
+  int corner[2];
+  ren->GetTiledSizeAndOrigin(&place.width, &place.height, &corner[0], &corner[1]);
+  if (place.width <= 0 || place.height <= 0)
+  {
+    return std::nullopt;
+  }
+  place.ndc = { 2.0 * (displayX + 0.5 - corner[0]) / place.width - 1.0,
+    2.0 * (displayY + 0.5 - corner[1]) / place.height - 1.0 };
+  vtkRenderWindow* window = ren->GetRenderWindow();
+  vtkNew<vtkFloatArray> depth;
+  const int x = static_cast<int>(displayX);
+  const int y = static_cast<int>(displayY);
+  if (!window->GetNeverRendered() && window->GetZbufferData(x, y, x, y, depth) == VTK_OK &&
+    depth->GetNumberOfValues() == 1)
+  {
+    place.depth = std::clamp<double>(depth->GetValue(0), 0.0, 1.0);
+  }
+  return place;
 }
 }

@@ -4,6 +4,7 @@
 #define ExaBricksAdaptersViewInput_h
 
 #include "Adapters/BrickedVolume.h"
+#include "Adapters/FirstSeen.h"
 #include "Vulkan/VolumeRenderer.h"
 
 class vtkRenderer;
@@ -17,6 +18,10 @@ namespace exabricks
 /// before the volume's matrix, in which VTK measures the opacity unit distance.
 View makeView(
   vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked, int width, int height);
+
+/// A pixel of the renderer's window, counted from its lower left corner, with the depth of the
+/// window's last picture, if there was one. None where the renderer has no pixels.
+std::optional<PlaceInPicture> findPlace(vtkRenderer* ren, double displayX, double displayY);
 }
 
 #endif
