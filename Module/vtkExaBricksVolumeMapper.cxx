@@ -247,6 +247,7 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
   view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
   view.quality.stepScale = this->Self->StepScale;
   view.quality.sampleDistance = this->Self->SampleDistance;
+  view.quality.jittered = this->Self->UseJittering;
   const bool several = bricked.volume.components() > 1; // see checkMedium()
   view.quality.errorTolerance = several ? 0.0 : this->Self->ErrorTolerance;
   view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
@@ -582,6 +583,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reconstruction: " << this->GetReconstructionAsString() << "\n";
   os << indent << "StepScale: " << this->StepScale << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
   os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";

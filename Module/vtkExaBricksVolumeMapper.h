@@ -117,6 +117,17 @@ public:
 
   ///@{
   /**
+   * Whether each pixel's samples lie elsewhere, as of vtkGPUVolumeRayCastMapper: what long steps
+   * leave out is noise then, the same in each picture, and no bands. Off by default. Costs a sample
+   * more in each region, and has no effect on the nearest reconstruction, which is exact.
+   */
+  vtkSetMacro(UseJittering, bool);
+  vtkGetMacro(UseJittering, bool);
+  vtkBooleanMacro(UseJittering, bool);
+  ///@}
+
+  ///@{
+  /**
    * The error to draw with, as a root mean square over red, green, blue and opacity, in [0, 1], of
    * the pixels that are drawn (opacity of at least 1/255), beside the exact integral of the same
    * reconstruction; 0.004 is one of 255 steps. Steps are then chosen for each picture from a few of
@@ -279,6 +290,7 @@ protected:
   int Reconstruction = BASIS;
   double StepScale = 1.0;
   double SampleDistance = 0.0;
+  bool UseJittering = false;
   double ErrorTolerance = 0.0;
   int Traversal = AUTOMATIC;
   double EarlyTerminationOpacity = 0.999;

@@ -8,6 +8,7 @@ TransferKnots transferKnots;
 float stepScale;
 float transmittanceExponent;
 float fixedStep;
+float jitterOfPixel; // in (0, 1)
 float integralUnit;
 float inverseIntegralUnit;
 float terminationOpacity;

@@ -14,6 +14,7 @@ struct Cursor
   bool cut;       // intervals end at faces of cells, as some are absent
   float interval; // greatest length of an interval; unless cut, a whole number fills the region
   bool halved;    // by a sample in its middle
+  float lead;     // where samples are jittered: length of the region's first interval, while it lasts
   bool known;     // the field at `entry` is
   float value;    // it
   vec3 gradient;  // its gradient by half cells, where that is needed
@@ -63,6 +64,12 @@ void enterRegion(
     cursor.halved = cursor.cut || exit - entry > 0.5 * interval;
     cursor.interval = cursor.cut ? interval : (exit - entry) / count;
     cursor.intervals = cursor.cut ? 1 : uint(count);
+    cursor.lead = 0.0;
+    if (jittered && !cursor.cut && count > 1.0)
+    {
+      cursor.lead = jitterOfPixel * cursor.interval;
+      ++cursor.intervals;
+    }
     // The field is continuous: the last point of the region before is the first of this one.
     cursor.known = cursor.known && cursor.exit == entry;
   }

@@ -62,6 +62,7 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
   if (!first)
   {
     cursor.entry = end;
+    cursor.lead = 0.0;
     cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
   }
 }

@@ -7,7 +7,8 @@ bool findEnd(Ray ray, Cursor cursor, out float end)
 {
   if (!cursor.cut)
   {
-    end = cursor.intervals == 1 ? cursor.exit : cursor.entry + cursor.interval;
+    const float length = jittered && cursor.lead > 0.0 ? cursor.lead : cursor.interval;
+    end = cursor.intervals == 1 ? cursor.exit : cursor.entry + length;
     return true;
   }
   float value;
@@ -82,6 +83,7 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   if (!first)
   {
     cursor.entry = end;
+    cursor.lead = 0.0;
     cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
   }
 }

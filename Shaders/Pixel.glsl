@@ -22,6 +22,14 @@ uvec2 findPixel(uint width)
   return corner + uvec2(i % 8u, i / 8u % 8u) + uvec2(0u, push.band.firstRow);
 }
 
+// Noise that is spread evenly among neighbours (interleaved gradient noise: Jimenez, "Next Generation
+// Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014).
+float findJitter(uvec2 pixel)
+{
+  const float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));
+  return clamp(noise, 0.01, 0.99);
+}
+
 void main()
 {
   FrameBuffer f = FrameBuffer(push.band.frame);
@@ -31,5 +39,9 @@ void main()
     return;
   }
   readConstants(f);
+  if (jittered)
+  {
+    jitterOfPixel = findJitter(pixel);
+  }
   Picture(f.frame.picture).pixels[pixel.y * f.frame.width + pixel.x] = marchPixel(f, pixel);
 }

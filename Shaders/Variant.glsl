@@ -15,9 +15,12 @@ layout(constant_id = 2) const bool takesPixels = false;
 layout(constant_id = 3) const bool clipped = false;
 // Cropping leaves several pieces of a ray.
 layout(constant_id = 4) const bool cropped = false;
+// Each pixel's samples lie elsewhere in a region, so that what steps leave out is noise and no bands.
+layout(constant_id = 10) const bool jittered = false;
 #else
 const bool clipped = false;
 const bool cropped = false;
+const bool jittered = false;
 #endif
 // How what lies along the ray becomes a colour (Blend.glsl).
 #if defined(FAMILY_PROJECTION)

@@ -58,6 +58,7 @@ struct Quality
   /// Distance of two samples, a length in the data's coordinates, in place of stepScale; 0: that
   /// counts.
   double sampleDistance = 0.0;
+  bool jittered = false; // each pixel's samples lie elsewhere between the ends of regions
   /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
   /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
   /// terminationOpacity alone count, and all levels are drawn.
@@ -91,6 +92,7 @@ inline bool samePicture(const View& a, const View& b)
     a.target.height == b.target.height && a.quality.reconstruction == b.quality.reconstruction &&
     a.quality.stepScale == b.quality.stepScale &&
     a.quality.sampleDistance == b.quality.sampleDistance &&
+    a.quality.jittered == b.quality.jittered &&
     a.quality.errorTolerance == b.quality.errorTolerance &&
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&

@@ -73,7 +73,8 @@ const Family& familyOf(const MarchVariant& variant)
   switch (variant.blending)
   {
     case Blending::Composite:
-      return variant.shaded || variant.hasGradientOpacity || variant.clipped || variant.cropped
+      return variant.shaded || variant.hasGradientOpacity || variant.clipped || variant.cropped ||
+          variant.jittered
         ? composite
         : plain;
     case Blending::Isosurface:

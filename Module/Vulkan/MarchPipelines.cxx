@@ -26,6 +26,7 @@ struct Constants
   vk::Bool32 cropped;
   std::uint32_t components;
   std::uint32_t mixing;
+  vk::Bool32 jittered;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -123,16 +124,17 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
       : vk::ShaderModuleCreateInfo({}, int64 ? this->Shader.int64Spirv : this->Shader.spirv));
   const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
     variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity,
-    variant.clipped, variant.cropped, variant.components, numberOf(variant.mixing) };
+    variant.clipped, variant.cropped, variant.components, numberOf(variant.mixing),
+    variant.jittered };
   const auto entry = [](std::uint32_t number, std::size_t offset)
   { return vk::SpecializationMapEntry(number, static_cast<std::uint32_t>(offset), 4); };
-  const std::array<vk::SpecializationMapEntry, 10> entries{
-    entry(0, offsetof(Constants, reconstruction)), entry(1, offsetof(Constants, beginsAtDepth)),
-    entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, clipped)),
-    entry(4, offsetof(Constants, cropped)), entry(5, offsetof(Constants, blending)),
-    entry(6, offsetof(Constants, components)), entry(7, offsetof(Constants, mixing)),
-    entry(8, offsetof(Constants, isShaded)), entry(9, offsetof(Constants, hasGradientOpacity))
-  };
+  const std::array<vk::SpecializationMapEntry, 11> entries{ entry(0,
+                                                              offsetof(Constants, reconstruction)),
+    entry(1, offsetof(Constants, beginsAtDepth)), entry(2, offsetof(Constants, takesPixels)),
+    entry(3, offsetof(Constants, clipped)), entry(4, offsetof(Constants, cropped)),
+    entry(5, offsetof(Constants, blending)), entry(6, offsetof(Constants, components)),
+    entry(7, offsetof(Constants, mixing)), entry(8, offsetof(Constants, isShaded)),
+    entry(9, offsetof(Constants, hasGradientOpacity)), entry(10, offsetof(Constants, jittered)) };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &constants);

@@ -25,6 +25,7 @@ struct MarchVariant
   bool hasGradientOpacity = false; // where opacity depends on the gradient
   bool clipped = false;            // for views with clipping planes
   bool cropped = false;            // for views with cropping
+  bool jittered = false;           // for views whose samples are
   std::uint32_t components = 1;    // of each cell; several are blended by Composite, unshaded
   Mixing mixing = Mixing::Independent;
 };
@@ -33,7 +34,7 @@ inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
     variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
-    variant.cropped, variant.components, variant.mixing);
+    variant.cropped, variant.jittered, variant.components, variant.mixing);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

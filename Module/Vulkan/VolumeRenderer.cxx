@@ -204,6 +204,8 @@ struct VolumeRenderer::Internals
     variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
+    variant.jittered =
+      view.quality.jittered && view.quality.reconstruction != Reconstruction::Nearest;
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
     variant.mixing = this->HasComponents() ? this->Mixed.mixing : Mixing::Independent;
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
