@@ -137,6 +137,10 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
 {
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
   const std::string refused = this->CheckData(property, *bricked);
+  if (bricked->volume.values->range.empty())
+  {
+    this->Report({ {}, { "No cell of the array has a finite value: nothing shows." } });
+  }
   try
   {
     if (!refused.empty())

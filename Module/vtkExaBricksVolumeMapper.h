@@ -109,7 +109,8 @@ public:
   /**
    * Distance of two samples of the field on a ray, a length in the data's own coordinates, the same
    * everywhere, as of vtkGPUVolumeRayCastMapper. 0 (default): that of the StepScale, which follows
-   * the cells. A region shorter than it has one sample.
+   * the cells. A region shorter than it has one sample. Has no effect on the nearest
+   * reconstruction, which is exact.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);

@@ -240,6 +240,7 @@ def draw(scene, path, size=280):
 
 if __name__ == "__main__":
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
+    folder.mkdir(parents=True, exist_ok=True)
     for picture in PICTURES:
         draw(picture(), folder / f"{picture.__name__}.png")
         print(picture.__name__)

@@ -76,3 +76,5 @@ writer = vtkPNGWriter()
 writer.SetFileName(sys.argv[3])
 writer.SetInputConnection(image.GetOutputPort())
 writer.Write()
+if writer.GetErrorCode():
+    sys.exit(f"'{sys.argv[3]}' cannot be written. Is its folder there?")

@@ -244,7 +244,7 @@ void printDevices(std::ostream& out)
   }
 }
 
-void checkTogether(const Options& o, bool viewGiven)
+void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
   if (!o.ListArrays)
@@ -265,6 +265,10 @@ void checkTogether(const Options& o, bool viewGiven)
   if (viewGiven && o.Position)
   {
     refuse("--view and --position both place the camera: give one of them.");
+  }
+  if (stepGiven && o.ErrorTolerance > 0.0)
+  {
+    refuse("--step-scale and --error-tolerance both choose the steps: give one of them.");
   }
   if (o.Range && !((*o.Range)[0] < (*o.Range)[1]))
   {
@@ -311,7 +315,7 @@ bool parseOptions(int argc, char** argv, Options& options)
       std::string(error.what()) + "\nSee exabricks-render --help for what can be asked for.");
   }
   takeTexts(texts, options);
-  checkTogether(options, app.count("--view") > 0);
+  checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0);
   return true;
 }
 

@@ -87,6 +87,16 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
       ". Call GetIsoSurfaceValues()->SetValue() of the volume property";
     return requests;
   }
+  for (int i = 0; mode == vtkVolumeMapper::ISOSURFACE_BLEND && i < isoValues; ++i)
+  {
+    const double value = property->GetIsoSurfaceValues()->GetValue(i);
+    if (!std::isfinite(value))
+    {
+      requests.refused = "expected finite iso-values, found " + std::to_string(value) +
+        ". Call GetIsoSurfaceValues()->SetValue() of the volume property";
+      return requests;
+    }
+  }
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {

@@ -40,6 +40,9 @@ int TestIsosurfaces(int, char*[])
   values->SetNumberOfContours(0);
   checks.Equal(test::Picture(stage.window).Coverage(), 0.0, "no values");
   checks.Says(messages.TakeErrors(), { "1 to 16 iso-values", "found 0" }, "no values");
+  values->SetValue(0, std::nan(""));
+  test::Picture(stage.window);
+  checks.Says(messages.TakeErrors(), { "finite iso-values", "nan" }, "no number");
 
   // Two surfaces, the nearer one first whatever the order of the values.
   values->SetValue(0, 6.0);

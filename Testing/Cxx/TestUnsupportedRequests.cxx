@@ -33,6 +33,14 @@ int TestUnsupportedRequests(int, char*[])
   mapper->SetBlendModeToComposite();
   checks.Near(test::Picture(stage.window).Center()[0], drawn, test::OneStep, "composite is drawn");
 
+  // Data of which nothing can show.
+  test::Stage nowhere(test::makeAMR(test::cornerRefined(), test::constant(std::nan(""))), 20);
+  test::setConstantColor(nowhere.Property(), 0.5);
+  test::Picture(nowhere.window);
+  test::Picture(nowhere.window);
+  checks.Equal(messages.Warnings().size(), 1, "warnings of data without values");
+  checks.Says(messages.TakeWarnings(), { "No cell", "finite value" }, "data without values");
+
   vtkNew<vtkMultiVolume> several;
   mapper->Render(stage.renderer, several);
   checks.Says(messages.TakeErrors(), { "vtkMultiVolume", "Add a vtkVolume" }, "a vtkMultiVolume");

@@ -134,6 +134,10 @@ class RenderProgramTest(unittest.TestCase):
         self.refused(BAD_ARGUMENTS, ["--view", "--position"],
             DATA, self.png, "--view", "+x", "--position", "1,2,3")
 
+    def test_two_ways_to_choose_steps(self):
+        self.refused(BAD_ARGUMENTS, ["--step-scale", "--error-tolerance"],
+            DATA, self.png, "--step-scale", "0.5", "--error-tolerance", "0.01")
+
     def test_unknown_array_lists_those_there_are(self):
         self.refused(BAD_ARGUMENTS, ["'nothing'", "density", "magvort"],
             DATA, self.png, "--array", "nothing")
