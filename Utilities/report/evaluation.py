@@ -9,7 +9,7 @@ import pandas
 from page import markdown, milliseconds, number, read_csv, span, three_digits
 
 MADE_BY = "exabricks-benchmark --quick --output <folder>"
-MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv")
+MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv", "features.csv")
 
 # What the renderer was asked to reach.
 TARGET_SCENE = "rt_medium magvort, scene"
@@ -34,6 +34,7 @@ def load(folder):
             "psnr_rgba_drawn", "rmse_own", "samples"], made_by=MADE_BY),
         "changes": read_csv(folder, "changes.csv", ["scene", "change", "traversal", "total_ms", "kept"]),
         "machine": read_csv(folder, "machine.csv", ["name", "value"]),
+        "features": read_csv(folder, "features.csv", ["feature", "method", "value", "wall_ms", "cpu_ms", "db"]),
     }
     for name in ("scenes", "growth"):
         data[name] = read_csv(folder, f"{name}.csv", [
@@ -179,8 +180,27 @@ def source_memory(data):
         "ratio_on_host": both.regions_host_mib / both.scalars_mib, "target": both.most_memory_ratio})
 
 
+def feature_costs(data):
+    """What each thing that can be set costs: ours beside a plain picture, and beside the mappers of a resampled grid."""
+    lines, plain = [], None
+    for feature, rows in data["features"].groupby("feature", sort=False):
+        ours = rows[rows.method == MAPPER]
+        default = ours[ours.value == DEFAULT_STEP].iloc[0]
+        plain = default.cpu_ms if plain is None else plain
+        line = {"feature": feature, "wall_ms": default.wall_ms, "cpu_ms": default.cpu_ms, "db": default.db,
+                "of_plain": default.cpu_ms / plain}
+        for name, method in (("gpu", "resampled, vtkGPUVolumeRayCastMapper"), ("fixed_point", PEER_TO_BEAT[0])):
+            peer = rows[rows.method == method]
+            if len(peer):
+                near = ours[ours.db >= peer.db.iloc[0]]
+                line |= {f"{name}_ms": peer.wall_ms.iloc[0], f"{name}_db": peer.db.iloc[0],
+                         f"of_{name}": (near.wall_ms.min() if len(near) else numpy.nan) / peer.wall_ms.iloc[0]}
+        lines.append(line)
+    return pandas.DataFrame(lines)
+
+
 DERIVED = {f.__name__: f for f in (peers, frame_target, native, samples, tolerance, levels, orders, source_times,
-                                   source_memory)}
+                                   source_memory, feature_costs)}
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -285,5 +305,20 @@ def changes_table(data):
     return markdown(header, rows) if rows else None
 
 
-TABLES = {"machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
+def features_table(data):
+    def both(time, decibels):
+        return f"{milliseconds(time)}, {decibels:.1f}" if time == time else "has none"
+
+    def ratio(value):
+        return f"{value:.2f}" if value == value else ""
+
+    rows = [[s.feature, f"{milliseconds(s.wall_ms)}, {s.db:.1f}" if s.db < 100 else f"{milliseconds(s.wall_ms)}, exact",
+             f"{s.of_plain:.2f}", both(s.gpu_ms, s.gpu_db), ratio(s.of_gpu), both(s.fixed_point_ms, s.fixed_point_db),
+             ratio(s.of_fixed_point)] for s in data["feature_costs"].itertuples()]
+    return markdown(["", "ours at step 1: ms, dB", "processor time, of plain", "GPU mapper, 128³: ms, dB",
+                     "ours, no less accurate, of it", "fixed point, 128³: ms, dB", "ours, no less accurate, of it"],
+                    rows) if rows else None
+
+
+TABLES = {"features": features_table, "machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
           "source_times": source_times_table, "source_memory": source_memory_table, "changes": changes_table}

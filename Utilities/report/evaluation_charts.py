@@ -205,6 +205,24 @@ def tolerance(data):
     return drawn
 
 
+def features(data):
+    """Time against accuracy of what is not plain, one picture each."""
+    table = data["features"]
+    shown = [name for name in ("shaded", "isosurface", "maximum", "four components") if name in set(table.feature)]
+    if not shown:
+        return None
+    drawn, grid = plot.figure(len(shown), width=1.2 + 2.5 * len(shown), height=3.1, sharey=True, squeeze=False)
+    for axes, feature in zip(grid[0], shown):
+        rows = table[table.feature == feature]
+        for method in rows.method.unique():
+            curve(axes, rows, method, "wall_ms", "db")
+        plot.logarithmic(axes.xaxis)
+        plot.label(axes, feature, FRAME)
+    plot.label(grid[0][0], shown[0], FRAME, PSNR)
+    plot.legend(grid[0][-1])
+    return drawn
+
+
 def growth(data, rows_of_axes, height):
     """One column for each scene, one row for each group of curves: (unit, [(name, value, colour, marker)])."""
     table = data["growth"]
@@ -254,7 +272,7 @@ def growth_memory(data):
         ("bricks", lambda t: t.bricks_mib, plot.VERMILION, "D", "-")])], 3.1)
 
 
-PAGE_CHARTS = {"main": main, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
+PAGE_CHARTS = {"main": main, "features": features, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
                "growth_memory": growth_memory}
 
 
