@@ -33,7 +33,7 @@ int TestJittering(int, char*[])
   test::Stage stage(
     test::makeAMR({ { 0, { 0, 0, 0 }, { 32, 32, 32 } } },
       [](double x, double y, double z) { return std::sin(0.6 * x) * std::cos(0.5 * y + 0.3 * z); }),
-    120);
+    60);
   test::setRamp(stage.Property(), -1.0, 1.0);
   stage.Property()->SetScalarOpacityUnitDistance(16.0);
   test::lookAlongZ(stage.renderer, 16.0, 16.0, 16.0, 32.0);
