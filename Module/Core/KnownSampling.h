@@ -32,11 +32,10 @@ struct KnownSampling
     return quality.errorTolerance == other.quality.errorTolerance &&
       quality.reconstruction == other.quality.reconstruction &&
       quality.levelsLeftOut == other.quality.levelsLeftOut &&
-      this->view.target.width == other.target.width &&
+      quality.jittered == other.quality.jittered && this->view.target.width == other.target.width &&
       this->view.target.height == other.target.height &&
       this->view.opacityUnitDistance == other.opacityUnitDistance &&
       this->view.cutaway == other.cutaway && this->view.slicePlane == other.slicePlane &&
-      this->view.lighting == other.lighting && this->view.slicePlane == other.slicePlane &&
       this->view.lighting == other.lighting &&
       Alike(this->view.camera.ndcToHalfCells, other.camera.ndcToHalfCells, allowed) &&
       this->view.camera.halfCellsToData == other.camera.halfCellsToData &&

@@ -84,6 +84,21 @@ TEST(KeepsTolerance, OfWhatIsSmallInThePicture)
   EXPECT_EQ(subject.renderer.statistics().stepScale, 0.25); // short for all
 }
 
+TEST(KeepsTolerance, WithJitteredSamples)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 128);
+  const reference::Image truth = subject.renderOracle(view);
+  subject.errorTolerance = 0.003;
+  subject.render(view);
+  // Steps are not those that were chosen for samples at even distances.
+  subject.jittered = true;
+  const double error = errorOfDrawn(subject.render(view), truth);
+  EXPECT_GT(subject.renderer.statistics().samplingTime, 0.0);
+  EXPECT_LE(error, 0.006);
+  EXPECT_GE(error, 0.0015);
+}
+
 TEST(KeepsTolerance, OfNoConcernToNearest)
 {
   SceneRenderer subject(reference::twoLevels());

@@ -63,6 +63,7 @@ struct SceneRenderer
     view.quality.stepScale = this->stepScale;
     view.quality.errorTolerance = this->errorTolerance;
     view.quality.levelsLeftOut = this->levelsLeftOut;
+    view.quality.jittered = this->jittered;
     view.quality.terminationOpacity = this->terminationOpacity;
     view.quality.reconstruction = this->reconstruction;
     view.blending = this->blending;
@@ -111,6 +112,7 @@ struct SceneRenderer
   double stepScale = 0.25;
   double errorTolerance = 0.0;
   std::optional<int> levelsLeftOut;
+  bool jittered = false;
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
