@@ -117,14 +117,12 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   if (levels[1] < std::max(levels[0], 0))
   {
     vtkErrorWithObjectMacro(this->Self,
-      "Expected a LevelRange from one level to the same or a finer "
-      "one, found "
+      "Expected a LevelRange from one level to the same or a finer one, found "
         << levels[0] << " to " << levels[1] << ". Call SetLevelRange().");
     return nullptr;
   }
   const exabricks::AMRInput input = exabricks::readAMR(amr,
-    { static_cast<unsigned int>(std::max(levels[0], 0)),
-      static_cast<unsigned int>(std::max(levels[1], 0)) });
+    { static_cast<unsigned int>(std::max(levels[0], 0)), static_cast<unsigned int>(levels[1]) });
   if (!input.fault.empty())
   {
     vtkErrorWithObjectMacro(this->Self, << input.fault << ".");
@@ -385,14 +383,15 @@ int vtkExaBricksBuilder::RequestData(
   return 1;
 }
 
+const char* vtkExaBricksBuilder::GetVectorModeAsString(int mode)
+{
+  return mode == DISABLED ? "Disabled" : mode == COMPONENT ? "Component" : "Magnitude";
+}
+
 void vtkExaBricksBuilder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "VectorMode: "
-     << (this->VectorMode == DISABLED       ? "Disabled"
-            : this->VectorMode == COMPONENT ? "Component"
-                                            : "Magnitude")
-     << "\n";
+  os << indent << "VectorMode: " << GetVectorModeAsString(this->VectorMode) << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "NumberOfStructureBuilds: " << this->NumberOfStructureBuilds << "\n";

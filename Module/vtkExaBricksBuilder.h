@@ -53,6 +53,7 @@ public:
   };
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
+  static const char* GetVectorModeAsString(int mode);
   void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }

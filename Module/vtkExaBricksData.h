@@ -6,7 +6,7 @@
  * vtkExaBricksBuilder makes it and vtkExaBricksVolumeMapper draws it. *Bricks* are boxes of leaf
  * cells (cells that no finer block covers) of one level; *regions* are disjoint boxes that
  * partition the data's bounds, each with the fixed list of bricks whose support reaches into it.
- * * Both can be looked at as VTK cells. Of an array of which each component is taken, ranges, the
+ * Both can be looked at as VTK cells. Of an array of which each component is taken, ranges, the
  * histogram and what is active are those of the first one.
  *
  * @par Thanks:

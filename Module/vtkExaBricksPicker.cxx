@@ -3,6 +3,7 @@
 
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/BrickedVolume.h"
+#include "Adapters/FirstSeen.h"
 #include "Core/CellSearch.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
@@ -164,16 +165,16 @@ int vtkExaBricksPicker::Pick(double x, double y, double z, vtkRenderer* renderer
       }
       const MovedByPath moved(volume, path);
       auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(volume->GetMapper());
-      Hit hit;
-      glm::dvec3 halfCells;
-      if (!mapper->FindFirstSeen(
-            renderer, volume, x, y, this->VolumeOpacityIsovalue, &halfCells.x, &hit.inCell.x))
+      const auto seen = mapper->FindFirstSeen(renderer, volume, x, y, this->VolumeOpacityIsovalue);
+      if (!seen)
       {
         continue;
       }
+      Hit hit;
+      hit.inCell = seen->inCell;
       hit.bricked = mapper->GetBuilder()->GetOutput()->GetBrickedVolume();
       hit.amr = vtkOverlappingAMR::SafeDownCast(mapper->GetDataObjectInput());
-      const glm::dvec3 at = hit.bricked->world(halfCells);
+      const glm::dvec3 at = hit.bricked->world(seen->place);
       const double point[4] = { at.x, at.y, at.z, 1.0 };
       double inWorld[4];
       volume->GetMatrix()->MultiplyPoint(point, inWorld);

@@ -31,7 +31,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 vtkStandardNewMacro(vtkExaBricksVolumeMapper);
@@ -483,7 +482,6 @@ void vtkExaBricksVolumeMapper::Update(int vtkNotUsed(port))
 void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
 {
   vtkInternals& internals = *this->Internals;
-
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
   if (!refused.empty())
   {
@@ -528,21 +526,21 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
 
-bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX,
-  double displayY, double opacity, double halfCells[3], double inCell[3])
+std::optional<exabricks::FirstSeen> vtkExaBricksVolumeMapper::FindFirstSeen(
+  vtkRenderer* ren, vtkVolume* vol, double displayX, double displayY, double opacity)
 {
   vtkInternals& internals = *this->Internals;
   const std::string refused = internals.Report(exabricks::checkWithoutData(this, vol));
   if (!refused.empty())
   {
     internals.ReportFault(refused);
-    return false;
+    return std::nullopt;
   }
   this->Update();
   const auto bricked = internals.GetBrickedVolume();
   if (!bricked)
   {
-    return false;
+    return std::nullopt;
   }
   std::string fault = internals.CheckData(vol->GetProperty(), *bricked);
   std::optional<exabricks::FirstSeen> found;
@@ -566,12 +564,7 @@ bool vtkExaBricksVolumeMapper::FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, d
   {
     internals.ReportFault(fault);
   }
-  for (int axis = 0; found && axis < 3; ++axis)
-  {
-    halfCells[axis] = found->place[axis];
-    inCell[axis] = found->inCell[axis];
-  }
-  return found.has_value();
+  return found;
 }
 
 void vtkExaBricksVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -591,10 +584,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";
   os << indent << "EarlyTerminationOpacity: " << this->EarlyTerminationOpacity << "\n";
-  os << indent << "VectorMode: "
-     << (this->VectorMode == DISABLED       ? "Disabled"
-            : this->VectorMode == COMPONENT ? "Component"
-                                            : "Magnitude")
+  os << indent << "VectorMode: " << vtkExaBricksBuilder::GetVectorModeAsString(this->VectorMode)
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";

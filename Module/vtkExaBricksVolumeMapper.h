@@ -51,11 +51,17 @@
 #include "vtkRenderingVolumeExaBricksModule.h" // for the export macro
 #include "vtkVolumeMapper.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>   // for std::unique_ptr
+#include <optional> // for a pick
 
 class vtkExaBricksBuilder;
 class vtkOverlappingAMR;
 class vtkStringArray;
+
+namespace exabricks
+{
+struct FirstSeen;
+}
 
 class VTKRENDERINGVOLUMEEXABRICKS_EXPORT vtkExaBricksVolumeMapper : public vtkVolumeMapper
 {
@@ -120,7 +126,8 @@ public:
   /**
    * Whether each pixel's samples lie elsewhere, as of vtkGPUVolumeRayCastMapper: what long steps
    * leave out is noise then, the same in each picture, and no bands. Off by default. Costs a sample
-   * more in each region, and has no effect on the nearest reconstruction, which is exact.
+   * more in each region. Has no effect on the nearest reconstruction, which is exact, and where
+   * cells of a region are absent: intervals end at their faces.
    */
   vtkSetMacro(UseJittering, bool);
   vtkGetMacro(UseJittering, bool);
@@ -304,10 +311,10 @@ protected:
 
 private:
   friend class vtkExaBricksPicker;
-  // // Where the volume is first seen at a place of the renderer's window, in half cells of the
-  // builder's output (Adapters/FirstSeen.h). False: nowhere.
-  bool FindFirstSeen(vtkRenderer* ren, vtkVolume* vol, double displayX, double displayY,
-    double opacity, double halfCells[3], double inCell[3]);
+  // Where the volume is first seen at a place of the renderer's window, in half cells of the
+  // builder's output. None: nowhere.
+  std::optional<exabricks::FirstSeen> FindFirstSeen(
+    vtkRenderer* ren, vtkVolume* vol, double displayX, double displayY, double opacity);
 
   vtkExaBricksVolumeMapper(const vtkExaBricksVolumeMapper&) = delete;
   void operator=(const vtkExaBricksVolumeMapper&) = delete;

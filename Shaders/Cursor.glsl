@@ -40,6 +40,21 @@ void forgetPoint(inout Cursor cursor)
   cursor.exit = -1.0;
 }
 
+// The march goes on at the end of the interval.
+void endInterval(float end, inout Cursor cursor)
+{
+  cursor.entry = end;
+  cursor.lead = 0.0;
+  cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
+}
+
+// The march goes on at the face where the ray leaves a cell.
+void endCell(float end, inout Cursor cursor)
+{
+  cursor.entry = end;
+  cursor.intervals = end < cursor.exit ? 1 : 0;
+}
+
 // How much longer intervals of a region may be than those of its step; or, where all steps are equal,
 // are.
 float growthOfStep(Ray ray, float step, Accumulator gathered)

@@ -15,23 +15,22 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
       }
       cursor.value = value;
       cursor.known = true;
-      cursor.entry = end;
-      cursor.intervals = end < cursor.exit ? 1 : 0;
-      return;
     }
-    const float middle = 0.5 * (cursor.entry + end);
-    vec3 gradient = vec3(0.0);
-    if (needsGradient)
+    else
     {
-      gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
+      const float middle = 0.5 * (cursor.entry + end);
+      vec3 gradient = vec3(0.0);
+      if (needsGradient)
+      {
+        gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
+      }
+      addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
+        spotAt(ray, cursor.brick, middle, gradient), gathered);
     }
-    addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
-      spotAt(ray, cursor.brick, middle, gradient), gathered);
   }
   else
   {
     cursor.known = false;
   }
-  cursor.entry = end;
-  cursor.intervals = end < cursor.exit ? 1 : 0;
+  endCell(end, cursor);
 }

@@ -24,8 +24,7 @@ void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathe
   {
     addComponents(ray, cursor, values, values, end - cursor.entry, gathered);
   }
-  cursor.entry = end;
-  cursor.intervals = end < cursor.exit ? 1 : 0;
+  endCell(end, cursor);
 }
 
 void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
@@ -61,9 +60,7 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
   cursor.known = there;
   if (!first)
   {
-    cursor.entry = end;
-    cursor.lead = 0.0;
-    cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
+    endInterval(end, cursor);
   }
 }
 

@@ -82,8 +82,6 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   cursor.known = there;
   if (!first)
   {
-    cursor.entry = end;
-    cursor.lead = 0.0;
-    cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
+    endInterval(end, cursor);
   }
 }

@@ -85,7 +85,7 @@ std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
     {
       View view = makeView(viewport.width, viewport.height);
       this->RestrictDepth(window, viewport, selector->GetArea());
-      view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
+      keepWhole(view);
       view.target.depth = this->Depth.data();
       const std::string fault = renderer.render(view, this->Selected);
       if (!fault.empty())
@@ -148,10 +148,7 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
   {
     return this->Peel.isFirst() ? std::make_optional<std::string>() : std::nullopt;
   }
-  if (!view.target.whole)
-  {
-    view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
-  }
+  keepWhole(view);
   const auto render = [&](const RayPieces& pieces, Pixels& pixels)
   {
     view.target.nearDepth = pieces.begin.data();

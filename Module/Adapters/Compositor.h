@@ -15,8 +15,6 @@ class vtkRenderer;
 
 namespace exabricks
 {
-///
-
 class Compositor
 {
 public:
@@ -28,7 +26,7 @@ public:
     const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
     VolumeRenderer& renderer, const VolumeRenderer::Progress& progress);
 
-  /// /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
+  /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
   /// the selected area; and in those that ask for anything but props and processes, which are told
   /// of no volume, black. Returns as draw() does.
   std::optional<std::string> drawSelection(vtkRenderer* ren,

@@ -13,7 +13,7 @@ namespace
 {
 // Differences of less than half a step of 8-bit colours do not show: steps are others where a line
 // ends elsewhere, and extremes between them are found to second order.
-constexpr float OneColor = 0.5f / 255.0f;
+constexpr float HalfAColorStep = 0.5f / 255.0f;
 
 struct Line
 {
@@ -77,7 +77,7 @@ std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
     return std::nullopt;
   }
   view.quality.terminationOpacity = std::max(view.quality.terminationOpacity, opacity);
-  view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
+  keepWhole(view);
   view.camera.ndcToHalfCells = lookAlong(*line);
   // Each pixel ends at a depth of its own: a search among 64 at a time.
   std::array<float, 64> depths;
@@ -91,7 +91,7 @@ std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
   {
     const glm::vec4 off = glm::abs(pixel - whole);
     return pixel.a >= static_cast<float>(opacity) &&
-      (!isExtremum || std::max({ off.r, off.g, off.b, off.a }) <= OneColor);
+      (!isExtremum || std::max({ off.r, off.g, off.b, off.a }) <= HalfAColorStep);
   };
   double before = 0.0;
   double behind = 1.0;

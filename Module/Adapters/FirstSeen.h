@@ -9,7 +9,7 @@
 
 namespace exabricks
 {
-/// /// A place of a picture, in normalised device coordinates; what is behind `depth` is not seen.
+/// A place of a picture, in normalised device coordinates; what is behind `depth` is not seen.
 struct PlaceInPicture
 {
   int width = 0;  // of the picture, pixels
@@ -18,7 +18,7 @@ struct PlaceInPicture
   double depth = 1.0; // of the window, in [0, 1]
 };
 
-/// /// In half cells.
+/// In half cells.
 struct FirstSeen
 {
   glm::dvec3 place;  // a 2^-24th of the ray's way through the bounds behind the exact one

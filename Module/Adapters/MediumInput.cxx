@@ -13,14 +13,6 @@ namespace exabricks
 {
 namespace
 {
-TransferFunction makeFunction(
-  vtkVolumeProperty* property, int component, vtkPiecewiseFunction* opacity, const Range& range)
-{
-  return property->GetColorChannels(component) == 1
-    ? makeTransferFunction(property->GetGrayTransferFunction(component), opacity, range)
-    : makeTransferFunction(property->GetRGBTransferFunction(component), opacity, range);
-}
-
 std::string checkUnits(vtkVolumeProperty* property, int components)
 {
   for (int k = 0; k < components; ++k)
@@ -76,8 +68,9 @@ Requests checkMedium(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
   if (settings.errorTolerance > 0.0)
   {
-    requests.drawnWithout.push_back("An ErrorTolerance is not supported yet with several "
-                                    "components: the volume is drawn with the StepScale.");
+    requests.drawnWithout.push_back(
+      "An ErrorTolerance is not supported yet with several "
+      "components: the volume is drawn with the StepScale or the SampleDistance.");
   }
   return requests;
 }
@@ -93,7 +86,7 @@ Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked)
     for (int k = 0; k < static_cast<int>(volume.components()); ++k)
     {
       medium.functions.push_back(
-        makeFunction(property, k, property->GetScalarOpacity(k), rangeOf(k)));
+        makeTransferFunction(property, k, property->GetScalarOpacity(k), rangeOf(k)));
       medium.weights[k] =
         property->GetComponentWeight(k) * unit / property->GetScalarOpacityUnitDistance(k);
     }
@@ -104,7 +97,7 @@ Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked)
     medium.mixing = Mixing::ColorAndOpacity;
     vtkNew<vtkPiecewiseFunction> opaque;
     opaque->AddPoint(0.0, 1.0);
-    medium.functions = { makeFunction(property, 0, opaque, rangeOf(0)),
+    medium.functions = { makeTransferFunction(property, 0, opaque, rangeOf(0)),
       makeTransferFunction(property->GetScalarOpacity(0), rangeOf(1)) };
     return medium;
   }

@@ -32,8 +32,6 @@ enum class OpaqueDepth
 /// the bottom. Of several samples of a pixel OpenGL chooses one.
 OpaqueDepth readDepth(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, std::vector<float>& depth);
-
-///
 }
 
 #endif

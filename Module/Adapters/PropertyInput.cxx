@@ -181,11 +181,16 @@ std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& rang
   return values;
 }
 
+TransferFunction makeTransferFunction(
+  vtkVolumeProperty* property, int component, vtkPiecewiseFunction* opacity, const Range& range)
+{
+  return property->GetColorChannels(component) == 1
+    ? makeTransferFunction(property->GetGrayTransferFunction(component), opacity, range)
+    : makeTransferFunction(property->GetRGBTransferFunction(component), opacity, range);
+}
+
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)
 {
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
-  return property->GetColorChannels(0) == 1
-    ? makeTransferFunction(property->GetGrayTransferFunction(0), opacity, range)
-    : makeTransferFunction(property->GetRGBTransferFunction(0), opacity, range);
+  return makeTransferFunction(property, 0, property->GetScalarOpacity(0), range);
 }
 }

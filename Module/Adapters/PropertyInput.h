@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkPiecewiseFunction;
 class vtkVolume;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
@@ -35,8 +36,7 @@ struct MapperSettings
 /// Whether the property's opacity of a component depends on gradients.
 bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 
-/// /// Whether the property's colours of a component are those of categories, and the warning of
-/// it.
+/// Whether the property's colours of a component are those of categories, and the warning of it.
 bool hasCategories(vtkVolumeProperty* property, int component = 0);
 std::string describeCategories();
 
@@ -53,7 +53,10 @@ glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range);
 /// Of the property, over `range`, in ascending order, each once.
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range);
 
-/// Colour and opacity of component 0, over `range` of the array's values.
+/// The property's colours of a component with `opacity`, over `range` of the component's values.
+TransferFunction makeTransferFunction(
+  vtkVolumeProperty* property, int component, vtkPiecewiseFunction* opacity, const Range& range);
+/// Of component 0, with its own opacity.
 TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range);
 }
 

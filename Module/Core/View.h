@@ -84,6 +84,16 @@ struct View
   std::optional<Lighting> lighting; // none: colours are those of the transfer function
 };
 
+/// Makes the picture the whole, unless it is part of one already: what is drawn into the view from
+/// now on is part of it.
+inline void keepWhole(View& view)
+{
+  if (!view.target.whole)
+  {
+    view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
+  }
+}
+
 /// Whether both show the same in the same size, but for depths.
 inline bool samePicture(const View& a, const View& b)
 {

@@ -8,8 +8,6 @@
 
 #include <array>
 
-#include <array>
-
 namespace exabricks
 {
 namespace vulkan

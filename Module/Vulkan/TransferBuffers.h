@@ -14,37 +14,32 @@ class TransferBuffers
 {
 public:
   TransferBuffers() = default;
-  /// `gradientOpacity`: of layout::GRADIENT_OPACITIES gradients, or empty. Throws Failure.
-  TransferBuffers(const std::shared_ptr<Device>& device, const TransferTable& table,
+  /// `tables`: from 1 to layout::MOST_COMPONENTS of them. `gradientOpacity`: of
+  /// layout::GRADIENT_OPACITIES gradients, or empty. Throws Failure.
+  TransferBuffers(const std::shared_ptr<Device>& device, std::vector<TransferTable> tables,
     const std::vector<float>& gradientOpacity = {})
-    : TransferBuffers(device, std::vector{ table })
   {
-    if (!gradientOpacity.empty())
-    {
-      this->GradientOpacity = makeBuffer(device, gradientOpacity, "opacity by gradients");
-    }
-  }
-
-  /// `tables`: at most layout::MOST_COMPONENTS, one after the other. Throws Failure.
-  TransferBuffers(const std::shared_ptr<Device>& device, const std::vector<TransferTable>& tables)
-  {
-    std::vector<layout::TransferBin> bins;
-    std::vector<layout::TransferKnot> knots;
-    for (std::size_t i = 0; i < tables.size(); ++i)
+    TransferTable& all = tables.front(); // one after the other
+    this->IntegralUnits[0] = all.integralUnit;
+    for (std::size_t i = 1; i < tables.size(); ++i)
     {
       for (layout::TransferBin bin : tables[i].bins)
       {
         if (bin.lower.a < 0.0f)
         {
-          bin.integral.x += static_cast<int>(knots.size()); // its first knot
+          bin.integral.x += static_cast<int>(all.knots.size()); // its first knot
         }
-        bins.push_back(bin);
+        all.bins.push_back(bin);
       }
-      knots.insert(knots.end(), tables[i].knots.begin(), tables[i].knots.end());
+      all.knots.insert(all.knots.end(), tables[i].knots.begin(), tables[i].knots.end());
       this->IntegralUnits[static_cast<glm::length_t>(i)] = tables[i].integralUnit;
     }
-    this->Bins = makeBuffer(device, bins, "the transfer function");
-    this->Knots = makeBuffer(device, knots, "the transfer function");
+    this->Bins = makeBuffer(device, all.bins, "the transfer function");
+    this->Knots = makeBuffer(device, all.knots, "the transfer function");
+    if (!gradientOpacity.empty())
+    {
+      this->GradientOpacity = makeBuffer(device, gradientOpacity, "opacity by gradients");
+    }
   }
 
   vk::DeviceSize bytes() const

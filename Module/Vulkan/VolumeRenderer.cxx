@@ -117,17 +117,7 @@ struct VolumeRenderer::Internals
     if (!this->Colors)
     {
       const Stopwatch watch;
-      if (this->HasComponents())
-      {
-        this->Colors.emplace(this->Session.device(), this->MakeTables());
-        this->Measured.colorTime = watch.seconds();
-        return;
-      }
-      this->Colors.emplace(this->Session.device(),
-        TransferTable(findLookup(this->Transfer, this->Blended, this->AverageRange),
-          this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
-                                               : TransferTable::Amount::Opacity),
-        this->GradientOpacity);
+      this->Colors.emplace(this->Session.device(), this->MakeTables(), this->GradientOpacity);
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -135,6 +125,13 @@ struct VolumeRenderer::Internals
   std::vector<TransferTable> MakeTables() const
   {
     std::vector<TransferTable> tables;
+    if (!this->HasComponents())
+    {
+      tables.emplace_back(findLookup(this->Transfer, this->Blended, this->AverageRange),
+        this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
+                                             : TransferTable::Amount::Opacity);
+      return tables;
+    }
     for (const TransferFunction& function : this->Mixed.functions)
     {
       const bool isColor = this->Mixed.mixing == Mixing::ColorAndOpacity && tables.empty();

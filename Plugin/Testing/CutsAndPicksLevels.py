@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Iso-surfaces, slices, cropping, a range of levels, the material, and what a state keeps of them."""
+"""Iso-surfaces, slices, cropping, a range of levels, the material, and arrays of two components."""
 
 from Support import *
 
@@ -12,7 +12,6 @@ look_at(scene, view)
 display.OpacityUnitDistance = 8.0
 whole = picture(view, "whole")
 
-# A surface is where the contour filter has it: both cover the same pixels, but for their edges.
 display.BlendMode = "Isosurface"
 display.IsosurfaceValues = [0.3]
 surface = picture(view, "surface")

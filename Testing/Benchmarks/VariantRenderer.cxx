@@ -61,7 +61,7 @@ struct VariantRenderer::Internals
   {
     if (!this->Colors)
     {
-      this->Colors.emplace(this->Device, TransferTable(this->Transfer));
+      this->Colors.emplace(this->Device, std::vector{ TransferTable(this->Transfer) });
     }
     const vulkan::LevelsOfDetail::Level* level =
       &this->Levels.updateFinest(this->Device, this->MakeSelection());

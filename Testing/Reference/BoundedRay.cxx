@@ -40,5 +40,24 @@ std::optional<BoundedRay> findBoundedRay(const View& view, const Box& bounds, in
   return BoundedRay{ glm::mix(near, far, first), glm::mix(near, far, last),
     (last - first) * whole };
 }
+
+Image drawRays(
+  const View& view, const Box& bounds, const std::function<glm::dvec4(const BoundedRay& ray)>& look)
+{
+  Image image{ view.width, view.height, {} };
+  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
+#pragma omp parallel for schedule(dynamic)
+  for (int y = 0; y < view.height; ++y)
+  {
+    for (int x = 0; x < view.width; ++x)
+    {
+      if (const std::optional<BoundedRay> ray = findBoundedRay(view, bounds, x, y))
+      {
+        image.pixels[static_cast<std::size_t>(y) * view.width + x] = look(*ray);
+      }
+    }
+  }
+  return image;
+}
 }
 }

@@ -76,21 +76,8 @@ glm::dvec4 integrateRay(const std::vector<const Oracle*>& components, const Boun
 Image drawMixture(const std::vector<const Oracle*>& components, const Box& bounds, const View& view,
   const Medium& medium, const MixtureSettings& settings)
 {
-  Image image{ view.width, view.height, {} };
-  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
-#pragma omp parallel for schedule(dynamic)
-  for (int y = 0; y < view.height; ++y)
-  {
-    for (int x = 0; x < view.width; ++x)
-    {
-      if (const std::optional<BoundedRay> ray = findBoundedRay(view, bounds, x, y))
-      {
-        image.pixels[static_cast<std::size_t>(y) * view.width + x] =
-          integrateRay(components, *ray, medium, settings);
-      }
-    }
-  }
-  return image;
+  return drawRays(view, bounds,
+    [&](const BoundedRay& ray) { return integrateRay(components, ray, medium, settings); });
 }
 }
 }

@@ -23,22 +23,23 @@ struct Statistics
   double met = 0.0;     // length on which there are values
 };
 
-Statistics sampleRay(const Oracle& oracle, const glm::dvec3& from, const glm::dvec3& to,
-  double worldLength, const TransferFunction& transfer, const ProjectionSettings& settings)
+Statistics sampleRay(const Oracle& oracle, const BoundedRay& ray, const TransferFunction& transfer,
+  const ProjectionSettings& settings)
 {
   Statistics found;
-  const double length = glm::length(to - from);
+  const double length = glm::length(ray.to - ray.from);
   const auto samples = static_cast<std::size_t>(std::ceil(length / settings.step));
   for (std::size_t i = 0; i < samples; ++i)
   {
     const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
     const std::optional<double> value =
-      oracle.sample(glm::mix(from, to, at), settings.reconstruction);
+      oracle.sample(glm::mix(ray.from, ray.to, at), settings.reconstruction);
     if (!value)
     {
       continue;
     }
-    const double piece = worldLength / static_cast<double>(samples) / settings.opacityUnitDistance;
+    const double piece =
+      ray.worldLength / static_cast<double>(samples) / settings.opacityUnitDistance;
     found.greatest = std::max(found.greatest, *value);
     found.least = std::min(found.least, *value);
     found.met += piece;
@@ -77,23 +78,9 @@ glm::dvec4 toPixel(const Statistics& found, const TransferFunction& transfer, Bl
 Image project(const Oracle& oracle, const Box& bounds, const View& view,
   const TransferFunction& transfer, const ProjectionSettings& settings)
 {
-  Image image{ view.width, view.height, {} };
-  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
-#pragma omp parallel for schedule(dynamic)
-  for (int y = 0; y < view.height; ++y)
-  {
-    for (int x = 0; x < view.width; ++x)
-    {
-      if (const std::optional<BoundedRay> ray = findBoundedRay(view, bounds, x, y))
-      {
-        const Statistics found =
-          sampleRay(oracle, ray->from, ray->to, ray->worldLength, transfer, settings);
-        image.pixels[static_cast<std::size_t>(y) * view.width + x] =
-          toPixel(found, transfer, settings.blending);
-      }
-    }
-  }
-  return image;
+  return drawRays(view, bounds,
+    [&](const BoundedRay& ray)
+    { return toPixel(sampleRay(oracle, ray, transfer, settings), transfer, settings.blending); });
 }
 }
 }

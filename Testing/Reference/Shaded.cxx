@@ -96,56 +96,46 @@ Image renderShaded(const FieldFunction& field, const Box& bounds, const View& vi
   const glm::dvec3 spacing(toData[0].x, toData[1].y, toData[2].z);
   const double meanSpacing = (spacing.x + spacing.y + spacing.z) / 3.0;
   const glm::dvec3 corner(bounds.lo);
-  Image image{ view.width, view.height, {} };
-  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
-#pragma omp parallel for schedule(dynamic)
-  for (int pixel = 0; pixel < view.width * view.height; ++pixel)
-  {
-    const std::optional<BoundedRay> ray =
-      findBoundedRay(view, bounds, pixel % view.width, pixel / view.width);
-    if (!ray)
+  return drawRays(view, bounds,
+    [&](const BoundedRay& ray)
     {
-      continue;
-    }
-    const glm::dvec3 from = ray->from;
-    const glm::dvec3 path = ray->to - from;
-    const auto samples = static_cast<std::size_t>(std::ceil(glm::length(path) / settings.step));
-    const double piece = ray->worldLength / static_cast<double>(samples);
-    glm::dvec4 sum(0.0);
-    for (std::size_t i = 0; i < samples; ++i)
-    {
-      const glm::dvec3 place =
-        from + (static_cast<double>(i) + 0.5) / static_cast<double>(samples) * path;
-      const std::optional<double> value = field(place);
-      if (!value)
+      const glm::dvec3 path = ray.to - ray.from;
+      const auto samples = static_cast<std::size_t>(std::ceil(glm::length(path) / settings.step));
+      const double piece = ray.worldLength / static_cast<double>(samples);
+      glm::dvec4 sum(0.0);
+      for (std::size_t i = 0; i < samples; ++i)
       {
-        continue;
+        const glm::dvec3 place =
+          ray.from + (static_cast<double>(i) + 0.5) / static_cast<double>(samples) * path;
+        const std::optional<double> value = field(place);
+        if (!value)
+        {
+          continue;
+        }
+        const glm::dvec4 color = transfer.evaluate(*value);
+        if (!(color.a > 0.0))
+        {
+          continue;
+        }
+        const glm::dvec3 gradient = findGradient(field, bounds, place);
+        double depth = -std::log1p(-color.a) * piece / settings.opacityUnitDistance;
+        if (settings.gradientOpacity)
+        {
+          depth *= settings.gradientOpacity(glm::length(gradient / spacing) * meanSpacing);
+        }
+        const double alpha = -std::expm1(-depth);
+        glm::dvec3 lit(color);
+        if (settings.lighting)
+        {
+          const glm::dvec3 normal = gradientToWorld * gradient;
+          const double length = glm::length(normal);
+          lit = shade(lit, *settings.lighting, toWorld * (place - corner),
+            length > 1e-9 ? -normal / length : glm::dvec3(0.0), -glm::normalize(toWorld * path));
+        }
+        sum += (1.0 - sum.a) * alpha * glm::dvec4(lit, 1.0);
       }
-      const glm::dvec4 color = transfer.evaluate(*value);
-      if (!(color.a > 0.0))
-      {
-        continue;
-      }
-      const glm::dvec3 gradient = findGradient(field, bounds, place);
-      double depth = -std::log1p(-color.a) * piece / settings.opacityUnitDistance;
-      if (settings.gradientOpacity)
-      {
-        depth *= settings.gradientOpacity(glm::length(gradient / spacing) * meanSpacing);
-      }
-      const double alpha = -std::expm1(-depth);
-      glm::dvec3 lit(color);
-      if (settings.lighting)
-      {
-        const glm::dvec3 normal = gradientToWorld * gradient;
-        const double length = glm::length(normal);
-        lit = shade(lit, *settings.lighting, toWorld * (place - corner),
-          length > 1e-9 ? -normal / length : glm::dvec3(0.0), -glm::normalize(toWorld * path));
-      }
-      sum += (1.0 - sum.a) * alpha * glm::dvec4(lit, 1.0);
-    }
-    image.pixels[pixel] = sum;
-  }
-  return image;
+      return sum;
+    });
 }
 }
 }
