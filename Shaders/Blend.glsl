@@ -28,6 +28,17 @@ bool isComplete(Accumulator gathered)
   return (isComposite || isIsosurface) && gathered.color.a >= terminationOpacity;
 }
 
+// Whether nothing of a node of the k-d tree, or of a box, can change what was gathered.
+bool isPassed(uint index, Accumulator gathered)
+{
+  if (!isExtremum)
+  {
+    return false;
+  }
+  const float extreme = Values(constants.frame.extremes).items[index];
+  return blending == BLENDING_MAXIMUM ? extreme <= gathered.value : extreme >= gathered.value;
+}
+
 // How much longer intervals may be: an error behind what is opaque is seen less.
 float growthOfIntervals(Accumulator gathered)
 {

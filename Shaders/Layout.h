@@ -238,6 +238,10 @@ struct Frame
   vec4 colorOffset;
 
   Pair4 slicePlane; // of BLENDING_SLICE: as clippingPlanes
+
+  // float[], of each node, or of each active box: the greatest value below it, for BLENDING_MAXIMUM,
+  // or the least, for BLENDING_MINIMUM
+  DeviceAddress extremes;
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -273,7 +277,7 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2272 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
+  sizeof(Frame) == 2280 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1080,
   "as in GLSL's scalar layout");
 } // namespace layout

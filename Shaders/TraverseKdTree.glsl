@@ -9,14 +9,21 @@ struct Pending
   vec4 limits;
 };
 
+// A node, or a leaf with nothing to draw in its place, where nothing below it counts.
+KdNode readNode(KdNodes nodes, uint index, Accumulator gathered)
+{
+  return isPassed(index, gathered) ? KdNode(0, 4u * KD_NO_REGION + KD_LEAF) : nodes.items[index];
+}
+
 // The leaf that holds the ray just behind `distance`, and where the ray leaves it.
-KdNode locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out float exit)
+KdNode locate(KdNodes nodes, Ray ray, float distance, Accumulator gathered, inout Pending pending,
+  out float exit)
 {
   uint index = pending.nodes.x;
   exit = index == 0 ? ray.end : pending.limits.x;
   pending.nodes = uvec4(pending.nodes.yzw, 0);
   pending.limits.xyz = pending.limits.yzw;
-  KdNode node = nodes.items[index];
+  KdNode node = readNode(nodes, index, gathered);
   while ((node.link & 3u) != KD_LEAF)
   {
     const uint axis = node.link & 3u;
@@ -33,7 +40,7 @@ KdNode locate(KdNodes nodes, Ray ray, float distance, inout Pending pending, out
       pending.limits = vec4(exit, pending.limits.xyz);
       exit = plane;
     }
-    node = nodes.items[ahead ? first : last];
+    node = readNode(nodes, ahead ? first : last, gathered);
   }
   return node;
 }
@@ -67,7 +74,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
         pending.nodes = uvec4(0);
       }
       const float entry = exit;
-      const KdNode leaf = locate(nodes, ray, entry, pending, exit);
+      const KdNode leaf = locate(nodes, ray, entry, gathered, pending, exit);
       if (leaf.link >> 2 != KD_NO_REGION)
       {
         const float step = intBitsToFloat(leaf.plane);

@@ -54,7 +54,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
       uint r = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
       const vec2 cross = crossing(ray, boxes.items[r], distance);
       float t = cross.x;
-      if (cross.x < cross.y && t < entry[NEAREST - 1])
+      if (cross.x < cross.y && t < entry[NEAREST - 1] && !isPassed(r, gathered))
       {
         for (int k = 0; k < NEAREST; ++k)
         {
@@ -90,6 +90,11 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
         distance = cross.x;
         isFar = true;
         break;
+      }
+      if (isPassed(region[k], gathered))
+      {
+        distance = cross.y;
+        continue;
       }
       enterRegion(box.firstBrick, box.step, growthOfStep(ray, box.step, gathered), cross.x, cross.y,
         cursor);

@@ -5,12 +5,20 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace exabricks
 {
 namespace
 {
 constexpr layout::KdNode Nothing{ 0, 4 * layout::KD_NO_REGION + layout::KD_LEAF };
+
+// A node and the range of values below it.
+struct Subtree
+{
+  layout::KdNode node = Nothing;
+  ValueRange range;
+};
 
 // The ranges of a component, and the function by which it shows.
 struct Shown
@@ -24,44 +32,66 @@ class Selection
 public:
   // `ranges`: of the first component, by which steps are weighted.
   Selection(const Volume& volume, const ValueRanges& ranges, std::vector<Shown> shown,
-    const StepWeights* weights, bool boxes)
+    const StepWeights* weights, const ActiveForm& form)
     : Subject(*volume.structure)
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
     , Ranges(ranges)
     , Components(std::move(shown))
     , Weights(weights)
-    , WantsBoxes(boxes)
+    , Form(form)
   {
     if (!this->Tree.nodes.empty())
     {
-      this->Result.nodes.resize(1);
-      const layout::KdNode root = this->Select(0);
-      this->Result.nodes[0] = root;
+      this->Resize(1);
+      this->Put(0, this->Select(0));
     }
   }
 
   ActiveRegions take() { return std::move(this->Result); }
 
 private:
+  bool WantsExtremes() const { return this->Form.extreme != Extreme::None; }
+
+  float ExtremeOf(const ValueRange& range) const
+  {
+    return this->Form.extreme == Extreme::Greatest ? range.max : range.min;
+  }
+
+  void Resize(std::size_t nodes)
+  {
+    this->Result.nodes.resize(nodes);
+    this->Result.nodeExtremes.resize(this->WantsExtremes() ? nodes : 0);
+  }
+
+  void Put(std::size_t place, const Subtree& subtree)
+  {
+    this->Result.nodes[place] = subtree.node;
+    if (this->WantsExtremes())
+    {
+      this->Result.nodeExtremes[place] = this->ExtremeOf(subtree.range);
+    }
+  }
+
   // Makes room for two children side by side, fills it with what `lower` and `upper` return, and
   // returns the node above them: Nothing, if both children are.
   template <typename Lower, typename Upper>
-  layout::KdNode Join(int axis, int plane, const Lower& lower, const Upper& upper)
+  Subtree Join(int axis, int plane, const Lower& lower, const Upper& upper)
   {
-    std::vector<layout::KdNode>& nodes = this->Result.nodes;
-    const std::size_t place = nodes.size();
-    nodes.resize(place + 2);
-    const layout::KdNode first = lower();
-    const layout::KdNode second = upper();
-    if (first.link == Nothing.link && second.link == Nothing.link)
+    const std::size_t place = this->Result.nodes.size();
+    this->Resize(place + 2);
+    const Subtree first = lower();
+    const Subtree second = upper();
+    if (first.node.link == Nothing.link && second.node.link == Nothing.link)
     {
-      nodes.resize(place);
-      return Nothing;
+      this->Resize(place);
+      return {};
     }
-    nodes[place] = first;
-    nodes[place + 1] = second;
-    return { plane, makeLink(place, static_cast<std::uint32_t>(axis)) };
+    this->Put(place, first);
+    this->Put(place + 1, second);
+    ValueRange range = first.range;
+    range.add(second.range);
+    return { { plane, makeLink(place, static_cast<std::uint32_t>(axis)) }, range };
   }
 
   bool ShowsRegion(std::uint32_t region) const
@@ -76,7 +106,7 @@ private:
       [=](const Shown& of) { return of.transfer->visible(of.ranges->macrocells[i]); });
   }
 
-  layout::KdNode Select(std::size_t n)
+  Subtree Select(std::size_t n)
   {
     const layout::KdNode& node = this->Tree.nodes[n];
     const std::uint32_t index = node.link >> 2;
@@ -95,7 +125,7 @@ private:
     }
     if (region.brickCount == 0 || !this->ShowsRegion(index))
     {
-      return Nothing;
+      return {};
     }
     ++this->Result.regions;
     if (this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
@@ -108,8 +138,8 @@ private:
 
   // Selects among the macrocells of a region from `begin` up to `end`: layers that show nothing are
   // cut off, side by side, and where there are none, the macrocells are halved.
-  layout::KdNode Cut(const layout::Region& region, const MacrocellGrid& grid,
-    const glm::ivec3& begin, const glm::ivec3& end)
+  Subtree Cut(const layout::Region& region, const MacrocellGrid& grid, const glm::ivec3& begin,
+    const glm::ivec3& end)
   {
     const glm::ivec3 n = grid.count(region);
     glm::ivec3 first = end;
@@ -137,7 +167,7 @@ private:
     }
     if (first.x >= last.x)
     {
-      return Nothing;
+      return {};
     }
     if (all)
     {
@@ -150,8 +180,8 @@ private:
       lowerEnd[axis] = upperBegin[axis] = middle;
       return this->Join(
         axis, grid.corner(region, glm::ivec3(middle))[axis],
-        [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Nothing; },
-        [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Nothing; });
+        [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Subtree(); },
+        [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Subtree(); });
     };
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -168,7 +198,7 @@ private:
     return join(axis, (begin[axis] + end[axis]) / 2, true, true);
   }
 
-  layout::KdNode Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi,
+  Subtree Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi,
     const ValueRange& range)
   {
     std::int64_t width = std::numeric_limits<std::int64_t>::max();
@@ -186,11 +216,15 @@ private:
     layout::KdNode leaf{ 0, makeLink(region.firstBrick, layout::KD_LEAF) };
     std::memcpy(&leaf.plane, &step, sizeof step);
     ++this->Result.boxCount;
-    if (this->WantsBoxes)
+    if (this->Form.boxes)
     {
       this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
+      if (this->WantsExtremes())
+      {
+        this->Result.boxExtremes.push_back(this->ExtremeOf(range));
+      }
     }
-    return leaf;
+    return { leaf, range };
   }
 
   const Structure& Subject;
@@ -199,20 +233,21 @@ private:
   const ValueRanges& Ranges;
   const std::vector<Shown> Components;
   const StepWeights* Weights;
-  const bool WantsBoxes;
+  const ActiveForm Form;
   ActiveRegions Result;
   std::size_t NextGrid = 0;
 };
 }
 
-ActiveRegions selectActiveRegions(
-  const Volume& volume, const TransferFunction& transfer, const StepWeights* weights, bool boxes)
+ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
+  const StepWeights* weights, const ActiveForm& form)
 {
-  return selectActiveRegions(volume, std::vector{ &transfer }, weights, boxes);
+  return selectActiveRegions(volume, std::vector{ &transfer }, weights, form);
 }
 
 ActiveRegions selectActiveRegions(const Volume& volume,
-  const std::vector<const TransferFunction*>& transfers, const StepWeights* weights, bool boxes)
+  const std::vector<const TransferFunction*>& transfers, const StepWeights* weights,
+  const ActiveForm& form)
 {
   std::vector<Shown> shown;
   for (std::size_t k = 0; k < transfers.size(); ++k)
@@ -222,19 +257,22 @@ ActiveRegions selectActiveRegions(const Volume& volume,
       shown.push_back({ &volume.valuesOf(k)->ranges, transfers[k] });
     }
   }
-  return Selection(volume, volume.values->ranges, std::move(shown), weights, boxes).take();
+  return Selection(volume, volume.values->ranges, std::move(shown), weights, form).take();
 }
 
-ActiveRegions selectAllRegions(const Volume& volume, bool boxes)
+ActiveRegions selectAllRegions(const Volume& volume, const ActiveForm& form)
 {
   ValueRanges whole;
   whole.regions.assign(volume.structure->tree.regions.size(), { 0.0f, 1.0f });
   const TransferFunction opaque({ { 0.0, glm::dvec4(1.0) } });
-  return Selection(volume, whole, { { &whole, &opaque } }, nullptr, boxes).take();
+  return Selection(volume, whole, { { &whole, &opaque } }, nullptr, form).take();
 }
 
-void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)
+void sortByMedianSplits(ActiveRegions& active)
 {
+  const std::vector<layout::ActiveBox>& boxes = active.boxes;
+  std::vector<std::size_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
   const auto center = [](const layout::ActiveBox& box, int axis)
   { return std::int64_t(box.lo[axis]) + box.hi[axis]; };
   std::vector<std::pair<std::size_t, std::size_t>> ranges{ { 0, boxes.size() } };
@@ -252,18 +290,29 @@ void sortByMedianSplits(std::vector<layout::ActiveBox>& boxes)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        lo[axis] = std::min(lo[axis], center(boxes[i], axis));
-        hi[axis] = std::max(hi[axis], center(boxes[i], axis));
+        lo[axis] = std::min(lo[axis], center(boxes[order[i]], axis));
+        hi[axis] = std::max(hi[axis], center(boxes[order[i]], axis));
       }
     }
     const int axis = longestAxis(hi - lo);
     const std::size_t middle = range.first + (range.second - range.first) / 2;
-    std::nth_element(boxes.begin() + range.first, boxes.begin() + middle,
-      boxes.begin() + range.second,
-      [&](const layout::ActiveBox& a, const layout::ActiveBox& b)
-      { return center(a, axis) < center(b, axis); });
+    std::nth_element(order.begin() + range.first, order.begin() + middle,
+      order.begin() + range.second,
+      [&](std::size_t a, std::size_t b)
+      { return center(boxes[a], axis) < center(boxes[b], axis); });
     ranges.emplace_back(range.first, middle);
     ranges.emplace_back(middle, range.second);
   }
+  ActiveRegions sorted;
+  for (const std::size_t i : order)
+  {
+    sorted.boxes.push_back(active.boxes[i]);
+    if (!active.boxExtremes.empty())
+    {
+      sorted.boxExtremes.push_back(active.boxExtremes[i]);
+    }
+  }
+  active.boxes = std::move(sorted.boxes);
+  active.boxExtremes = std::move(sorted.boxExtremes);
 }
 }

@@ -129,23 +129,34 @@ void DeviceVolume::setActive(ActiveRegions active)
 {
   this->Nodes = {};
   this->Boxes = {};
+  this->Extremes = {};
   this->Scene = {};
   this->Regions = active.regions;
   this->BoxCount = active.boxCount;
   if (active.boxes.empty())
   {
     this->Nodes = makeBuffer(this->Owner, active.nodes, "the k-d tree");
+    this->UploadExtremes(active.nodeExtremes);
     return;
   }
-  sortByMedianSplits(active.boxes);
+  sortByMedianSplits(active);
+  this->UploadExtremes(active.boxExtremes);
   this->Boxes = makeBuffer(this->Owner, active.boxes, "the active regions");
   this->Scene = AccelerationStructure(this->Owner, this->Size, active.boxes);
+}
+
+void DeviceVolume::UploadExtremes(const std::vector<float>& extremes)
+{
+  if (!extremes.empty())
+  {
+    this->Extremes = makeBuffer(this->Owner, extremes, "the regions' extremes");
+  }
 }
 
 vk::DeviceSize DeviceVolume::bytes() const
 {
   vk::DeviceSize bytes = this->Bricks.bytes() + this->BrickLists.bytes() + this->Nodes.bytes() +
-    this->Boxes.bytes() + this->Scene.bytes();
+    this->Boxes.bytes() + this->Extremes.bytes() + this->Scene.bytes();
   for (const ValueBuffer& buffer : this->Values)
   {
     bytes += buffer.values.bytes();
@@ -160,6 +171,7 @@ void DeviceVolume::fill(layout::Frame& frame) const
   frame.brickLists = this->BrickLists.address();
   frame.nodes = this->Nodes.address();
   frame.activeBoxes = this->Boxes.address();
+  frame.extremes = this->Extremes.address();
   frame.scene = this->Scene.address();
 }
 }

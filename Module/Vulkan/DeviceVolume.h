@@ -43,6 +43,7 @@ private:
   void UploadValues(const Volume& volume, ValueBuffer& buffer);
   void UploadBricks(const Volume& volume);
   void UploadLists(const RegionTree& tree);
+  void UploadExtremes(const std::vector<float>& extremes);
 
   std::shared_ptr<Device> Owner;
   glm::ivec3 Size; // half cells
@@ -53,6 +54,7 @@ private:
   Buffer BrickLists;
   Buffer Nodes;
   Buffer Boxes;
+  Buffer Extremes; // of nodes or boxes
   AccelerationStructure Scene;
   std::size_t Regions = 0;
   std::size_t BoxCount = 0;

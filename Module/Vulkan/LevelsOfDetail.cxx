@@ -147,9 +147,9 @@ void LevelsOfDetail::Update(
   {
     const Stopwatch watch;
     level.onDevice->setActive(selection.transfers.empty()
-        ? selectAllRegions(level.volume, selection.boxes)
+        ? selectAllRegions(level.volume, selection.form)
         : selectActiveRegions(
-            level.volume, selection.transfers, selection.weights, selection.boxes));
+            level.volume, selection.transfers, selection.weights, selection.form));
     level.activeOnDevice = true;
     this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
   }

@@ -17,7 +17,7 @@ struct Selection
   /// [component]: null: it does not matter. Empty: all regions with bricks, as wholes.
   std::vector<const TransferFunction*> transfers;
   const StepWeights* weights = nullptr; // null: one cell of the finest brick everywhere
-  bool boxes = false;                   // for ray queries; else the k-d tree
+  ActiveForm form;                      // boxes: for ray queries; else the k-d tree
 };
 
 class LevelsOfDetail

@@ -13,6 +13,16 @@
 
 namespace exabricks
 {
+namespace
+{
+Extreme extremeOf(Blending blending)
+{
+  return blending == Blending::Maximum ? Extreme::Greatest
+    : blending == Blending::Minimum    ? Extreme::Least
+                                       : Extreme::None;
+}
+}
+
 struct VolumeRenderer::Internals
 {
   // What the caller set.
@@ -45,7 +55,8 @@ struct VolumeRenderer::Internals
   {
     return { this->HasComponents() ? this->Mixed.visibility()
                                    : std::vector<const TransferFunction*>{ &this->Visibility },
-      this->Weights ? &*this->Weights : nullptr, this->Measured.traversal == Traversal::RayQuery };
+      this->Weights ? &*this->Weights : nullptr,
+      { this->Measured.traversal == Traversal::RayQuery, extremeOf(this->Blended) } };
   }
 
   bool HasComponents() const
@@ -284,6 +295,10 @@ struct VolumeRenderer::Internals
       isoValues != this->IsoValues ||
       (view.blending == Blending::Isosurface && ofCells != this->SurfacesOfCells))
     {
+      if (extremeOf(view.blending) != extremeOf(this->Blended))
+      {
+        this->InvalidateSelection();
+      }
       this->Blended = view.blending;
       this->AverageRange = range;
       this->IsoValues = isoValues;

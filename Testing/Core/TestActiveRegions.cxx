@@ -4,6 +4,7 @@
 #include "Core/Structures.h"
 
 #include <array>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -227,6 +228,70 @@ TEST(ActiveRegions, AreAllWithBricksAsAWholeWhereNoneIsSkipped)
   EXPECT_EQ(all.boxes.size(), withBricks);
 }
 
+TEST(ActiveRegions, KnowTheExtremesBelowEachNode)
+{
+  for (const Extreme extreme : { Extreme::Greatest, Extreme::Least })
+  {
+    const auto combine = [=](float a, float b)
+    { return extreme == Extreme::Greatest ? std::max(a, b) : std::min(a, b); };
+    const float nothing = extreme == Extreme::Greatest ? -std::numeric_limits<float>::infinity()
+                                                       : std::numeric_limits<float>::infinity();
+    const Ranged ranged(build(reference::holes()), 2);
+    const TransferFunction all({ { 0.0, glm::dvec4(1.0) } });
+    const ActiveRegions active =
+      selectActiveRegions(ranged.volume, all, nullptr, { true, extreme });
+    ASSERT_EQ(active.nodeExtremes.size(), active.nodes.size());
+    ASSERT_EQ(active.boxExtremes.size(), active.boxes.size());
+    ASSERT_GT(active.boxes.size(), 1u);
+    // That of a node is that of the boxes below it, which come in the order of leaves.
+    std::size_t leaves = 0;
+    const std::function<float(std::size_t)> find = [&](std::size_t n)
+    {
+      const std::uint32_t index = active.nodes[n].link >> 2;
+      float found = nothing;
+      if ((active.nodes[n].link & 3) != layout::KD_LEAF)
+      {
+        found = find(index);
+        found = combine(found, find(index + 1));
+      }
+      else if (index != layout::KD_NO_REGION)
+      {
+        found = active.boxExtremes[leaves++];
+      }
+      EXPECT_EQ(active.nodeExtremes[n], found);
+      return found;
+    };
+    find(0);
+    EXPECT_EQ(leaves, active.boxes.size());
+    // That of a box is that of the macrocells in it.
+    for (std::size_t i = 0; i < active.boxes.size(); ++i)
+    {
+      const layout::ActiveBox& box = active.boxes[i];
+      float found = nothing;
+      for (std::uint32_t r = 0; r < ranged.built.tree().regions.size(); ++r)
+      {
+        const layout::Region& region = ranged.built.tree().regions[r];
+        const auto grid = std::find_if(ranged.ranges.grids.begin(), ranged.ranges.grids.end(),
+          [=](const MacrocellGrid& of) { return of.region == r; });
+        const glm::ivec3 n =
+          grid != ranged.ranges.grids.end() ? grid->count(region) : glm::ivec3(1);
+        for (int k = 0; k < n.x * n.y * n.z && region.brickCount > 0; ++k)
+        {
+          const glm::ivec3 at(k % n.x, k / n.x % n.y, k / (n.x * n.y));
+          const bool cut = grid != ranged.ranges.grids.end();
+          const ValueRange& range =
+            cut ? ranged.ranges.macrocells[grid->firstRange + k] : ranged.ranges.regions[r];
+          if (contains(box, cut ? grid->corner(region, at) : region.lo))
+          {
+            found = combine(found, extreme == Extreme::Greatest ? range.max : range.min);
+          }
+        }
+      }
+      EXPECT_EQ(active.boxExtremes[i], found);
+    }
+  }
+}
+
 TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)
 {
   const Ranged ranged(build(reference::twoLevels()));
@@ -241,9 +306,20 @@ TEST(ActiveRegions, SortedByMedianSplitsAreTheSameRegions)
 {
   const Ranged ranged(build(reference::twoLevels(), 4, { 1, 1, 0 }));
   const std::vector<layout::ActiveBox> boxes = ranged.select(above(0.3)).boxes;
-  std::vector<layout::ActiveBox> sorted = boxes;
-  std::shuffle(sorted.begin(), sorted.end(), std::mt19937(7));
-  sortByMedianSplits(sorted);
+  ActiveRegions active;
+  active.boxes = boxes;
+  std::shuffle(active.boxes.begin(), active.boxes.end(), std::mt19937(7));
+  for (const layout::ActiveBox& box : active.boxes)
+  {
+    active.boxExtremes.push_back(static_cast<float>(box.lo.x));
+  }
+  sortByMedianSplits(active);
+  const std::vector<layout::ActiveBox>& sorted = active.boxes;
+  ASSERT_EQ(active.boxExtremes.size(), sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    EXPECT_EQ(active.boxExtremes[i], static_cast<float>(sorted[i].lo.x)) << "a box keeps its own";
+  }
 
   // The first half lies below the second along one axis.
   bool halved = false;
