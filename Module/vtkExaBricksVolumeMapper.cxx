@@ -168,7 +168,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
     this->Self->ErrorTolerance, { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
   const std::string refused = exabricks::checkNumbers(property, settings);
   return refused.empty() && bricked.volume.components() > 1
-    ? this->Report(exabricks::checkMedium(this->Self, property, settings, bricked))
+    ? this->Report(exabricks::checkMedium(this->Self, property, bricked))
     : refused;
 }
 
@@ -220,14 +220,13 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   if (bricked.volume.components() > 1)
   {
     this->Renderer.setMedium(exabricks::makeMedium(property, bricked));
-    this->Renderer.setGradientOpacity({});
   }
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
     this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
-    this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, range));
   }
+  this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, bricked.volume));
   // Asked afterwards, as discretised functions make tables when they are evaluated, and are
   // modified by that.
   this->PropertyTime = property->GetMTime();
@@ -251,19 +250,15 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
   view.quality.stepScale = this->Self->StepScale;
   view.quality.sampleDistance = this->Self->SampleDistance;
   view.quality.jittered = this->Self->UseJittering;
-  const bool several = bricked.volume.components() > 1; // see checkMedium()
-  view.quality.errorTolerance = several ? 0.0 : this->Self->ErrorTolerance;
+  view.quality.errorTolerance = this->Self->ErrorTolerance;
   view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
   view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
   view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
   view.blending = exabricks::findBlending(this->Self);
-  view.averageRange = exabricks::findAverageRange(this->Self, bricked.volume.values->range);
+  view.averageRanges = exabricks::findAverageRanges(this->Self, bricked.volume);
   view.slicePlane = exabricks::findSlicePlane(vol, bricked);
   view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
-  if (!several)
-  {
-    view.lighting = exabricks::makeLighting(ren, vol, bricked);
-  }
+  view.lighting = exabricks::makeLighting(ren, vol, bricked);
   return view;
 }
 

@@ -191,8 +191,11 @@ public:
    * depend on the order of components. Dependent ones: of two, the first has colours, the second
    * one opacity; of four, the first three are red, green and blue, up to the greatest number of the
    * array's type or, for floating point, 1, and the last one has opacity. A cell of which one
-   * component is not finite is absent. Drawn by blend mode composite, unshaded; else an error or a
-   * warning says so.
+   * component is not finite is absent. Independent ones are shaded and lessened by their own
+   * gradients, each with its material, and projected (maximum to additive) each by itself, colours
+   * and greys added up by weight; dependent ones by the gradient of the last component, and by the
+   * place where that one is greatest or least; averages and sums are of the first one. There are no
+   * iso-surfaces of several components: an error says so.
    */
   enum VectorModeType
   {

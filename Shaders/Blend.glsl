@@ -11,6 +11,11 @@ Accumulator startAccumulator()
   gathered.color = vec4(0.0);
   gathered.value = blending == BLENDING_MAXIMUM ? -1.0 : 2.0; // of no cell
   gathered.counted = 0.0;
+#ifdef FAMILY_COMPONENTS
+  gathered.values = vec4(gathered.value);
+  gathered.sums = vec4(0.0);
+  gathered.counts = vec4(0.0);
+#endif
   return gathered;
 }
 
@@ -23,7 +28,8 @@ bool isComplete(Accumulator gathered)
   }
   if (isExtremum)
   {
-    return blending == BLENDING_MAXIMUM ? gathered.value >= 1.0 : gathered.value <= 0.0;
+    return componentCount == 1u &&
+      (blending == BLENDING_MAXIMUM ? gathered.value >= 1.0 : gathered.value <= 0.0);
   }
   return (isComposite || isIsosurface) && gathered.color.a >= terminationOpacity;
 }
@@ -31,7 +37,7 @@ bool isComplete(Accumulator gathered)
 // Whether nothing of a node of the k-d tree, or of a box, can change what was gathered.
 bool isPassed(uint index, Accumulator gathered)
 {
-  if (!isExtremum)
+  if (!isExtremum || componentCount > 1u)
   {
     return false;
   }

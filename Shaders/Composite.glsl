@@ -6,7 +6,7 @@ void addBehind(vec4 color, Spot spot, inout Accumulator gathered)
 {
   if (isShaded && color.a > 0.0)
   {
-    color = shade(color, spot);
+    color = shade(color, spot, 0u);
   }
   gathered.color += (1.0 - gathered.color.a) * color;
 }
@@ -14,7 +14,7 @@ void addBehind(vec4 color, Spot spot, inout Accumulator gathered)
 void compositeConstant(float value, float units, Spot spot, inout Accumulator gathered)
 {
   const TransferPart part = findPart(value);
-  units *= hasGradientOpacity ? opacityOfGradient(spot) : 1.0;
+  units *= hasGradientOpacity ? opacityOfGradient(spot, 0u) : 1.0;
   addBehind(absorb(mix(part.lower, part.upper, part.fraction), units), spot, gathered);
 }
 
@@ -25,7 +25,7 @@ void compositeInterval(
   const TransferPoint point = makePoint(part);
   if (!isFirst)
   {
-    units *= hasGradientOpacity ? opacityOfGradient(spot) : 1.0;
+    units *= hasGradientOpacity ? opacityOfGradient(spot, 0u) : 1.0;
     addBehind(
       absorbBetween(gathered.last, point, vec2(from, to), part, units), spot, gathered);
   }

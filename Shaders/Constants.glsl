@@ -27,5 +27,5 @@ void readConstants(FrameBuffer f)
   integralUnit = f.frame.integralUnit;
   inverseIntegralUnit = 1.0 / integralUnit;
   terminationOpacity = f.frame.terminationOpacity;
-  averageRange = vec2(f.frame.leastToAverage, f.frame.mostToAverage);
+  averageRange = vec2(f.frame.leastToAverage.x, f.frame.mostToAverage.x);
 }

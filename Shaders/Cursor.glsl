@@ -18,7 +18,10 @@ struct Cursor
   bool known;     // the field at `entry` is
   float value;    // it
   vec3 gradient;  // its gradient by half cells, where that is needed
-  vec4 values;    // its components, where there are several
+#ifdef FAMILY_COMPONENTS
+  vec4 values; // its components
+  mat4x3 gradients;
+#endif
 };
 
 // In no region, and nothing is known.
@@ -30,7 +33,10 @@ Cursor startCursor()
   cursor.known = false;
   cursor.value = 0.0;
   cursor.gradient = vec3(0.0);
+#ifdef FAMILY_COMPONENTS
   cursor.values = vec4(0.0);
+  cursor.gradients = mat4x3(0.0);
+#endif
   return cursor;
 }
 

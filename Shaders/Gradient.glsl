@@ -41,7 +41,7 @@ vec3 insideBounds(Brick brick, vec3 q, vec3 n)
 
 // Basis (Basis.glsl): adds a brick's tents at q, in cells from its lower corner; derivatives by half
 // cells.
-void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
+void addBasisJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout vec4 weight)
 {
   const uvec3 n = cellsOf(brick);
   q -= 0.5;
@@ -53,7 +53,7 @@ void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
   const vec3 c = clamp(q, vec3(0.0), vec3(n) - 1.0);
   vec4 lower;
   vec4 upper;
-  const vec3 f = readCells(brick, n, c, 0u, lower, upper);
+  const vec3 f = readCells(brick, n, c, component, lower, upper);
   vec4 present = vec4(0.0, 0.0, 0.0, 1.0);
   // Outside of the box of centres the nearest place in it counts.
   const vec4 inside = vec4(equal(insideBounds(brick, q, vec3(n)), c), true);
@@ -72,7 +72,7 @@ void addBasisJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
 }
 
 // Completed (Completed.glsl), likewise.
-void addCompletedJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
+void addCompletedJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout vec4 weight)
 {
   const uvec3 n = cellsOf(brick);
   q -= 0.5;
@@ -86,7 +86,7 @@ void addCompletedJet(Brick brick, vec3 q, inout vec4 sum, inout vec4 weight)
   const vec3 f = q - i;
   vec4 lower;
   vec4 upper;
-  readLattice(brick, n, i, 0u, lower, upper);
+  readLattice(brick, n, i, component, lower, upper);
   vec4 value;
   if ((brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
@@ -124,11 +124,11 @@ vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
     const vec3 q = toCells(brick, ray, distance);
     if (isCompleted)
     {
-      addCompletedJet(brick, q, sum, weight);
+      addCompletedJet(brick, q, 0u, sum, weight);
     }
     else
     {
-      addBasisJet(brick, q, sum, weight);
+      addBasisJet(brick, q, 0u, sum, weight);
     }
     if (others == 0u)
     {

@@ -154,6 +154,13 @@ struct Light
   uint positional;
 };
 EXABRICKS_CONST uint MOST_LIGHTS = 8u;
+struct Material
+{
+  float ambient;
+  float diffuse;
+  float specular;
+  float specularPower;
+};
 
 // Opacity by the gradient's magnitude: the change of the normalised value over the mean width of a
 // finest cell.
@@ -185,10 +192,8 @@ struct Frame
   float terminationOpacity;    // a ray ends at this opacity
   float integralUnit;          // of the transfer function's integrals
   uint hasDepth;               // 0: rays go to the far plane, the depth buffer is not read
-  float leastToAverage;        // normalised values that count for BLENDING_AVERAGE
-  float mostToAverage;
-  float fixedStep;      // in opacity unit distances; 0: the boxes' steps count
-  DeviceAddress bricks; // Brick[], uint[], KdNode[], ...
+  float fixedStep;             // in opacity unit distances; 0: the boxes' steps count
+  DeviceAddress bricks;        // Brick[], uint[], KdNode[], ...
   DeviceAddress brickLists;
   DeviceAddress nodes;
   DeviceAddress activeBoxes; // ActiveBox[]: of the acceleration structure
@@ -200,26 +205,22 @@ struct Frame
   DeviceAddress scene;     // acceleration structure
 
   // For variants that are shaded, or have opacity by gradients
-  DeviceAddress gradientOpacity; // float[GRADIENT_OPACITIES], by which extinction is multiplied
-  vec3 gradientToMagnitude;      // for derivatives along x, y, z by half cells
-  float ambient;
-  vec3 halfCellsToWorldX; // columns of the linear map
-  float diffuse;
-  vec3 halfCellsToWorldY;
-  float specular;
-  vec3 halfCellsToWorldZ;
-  float specularPower;
-  vec3 gradientToWorldX; // columns of a map to the direction of the gradient in the world
+  // float[GRADIENT_OPACITIES] of each component, by which extinction is multiplied
+  DeviceAddress gradientOpacity;
+  vec3 gradientToMagnitude; // for derivatives along x, y, z by half cells
   uint twoSided;
+  vec3 halfCellsToWorldX; // columns of the linear map
+  vec3 halfCellsToWorldY;
+  vec3 halfCellsToWorldZ;
+  vec3 gradientToWorldX; // columns of a map to the direction of the gradient in the world
   vec3 gradientToWorldY;
-  uint lightCount;
   vec3 gradientToWorldZ;
-  uint unusedToo;
+  uint lightCount;
   Light lights[MOST_LIGHTS];
+  Material materials[MOST_COMPONENTS]; // of each component
 
   float isoValues[MOST_ISO_VALUES]; // normalised, ascending
   uint isoValueCount;
-  uint unusedHere;
 
   // A place in half cells is left where its product with each plane, (x, y, z, 1) . plane, is not
   // below 0. xyz are of length 1.
@@ -231,6 +232,9 @@ struct Frame
   uint clippingPlaneCount;
   uint shownRegions;
 
+  vec4 leastToAverage; // normalised values of each component that count for BLENDING_AVERAGE
+  vec4 mostToAverage;
+
   // For variants of several components. Their functions lie one after the other in transferBins.
   vec4 integralUnits;    // as integralUnit, of each function
   vec4 componentWeights; // by which extinctions are multiplied
@@ -239,8 +243,8 @@ struct Frame
 
   Pair4 slicePlane; // of BLENDING_SLICE: as clippingPlanes
 
-  // float[], of each node, or of each active box: the greatest value below it, for BLENDING_MAXIMUM,
-  // or the least, for BLENDING_MINIMUM
+  // float[], of each node, or of each active box: the greatest value below it, for
+  // BLENDING_MAXIMUM, or the least, for BLENDING_MINIMUM
   DeviceAddress extremes;
 };
 
@@ -277,8 +281,8 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2280 && offsetof(Frame, bricks) == 232, "as in GLSL's scalar layout");
-static_assert(offsetof(Frame, lights) == 432 && offsetof(Frame, clippingPlanes) == 1080,
+  sizeof(Frame) == 2344 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,
   "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks

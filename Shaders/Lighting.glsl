@@ -55,15 +55,16 @@ float attenuate(Light light, vec3 place, out vec3 toLight)
 }
 
 // How much a light shines into the eye from a normal that it reaches at a cosine.
-float shineOf(float cosine, vec3 normal, vec3 toLight, vec3 view)
+float shineOf(float cosine, vec3 normal, vec3 toLight, vec3 view, float power)
 {
   const float shine = dot(2.0 * cosine * normal - toLight, view);
-  return shine > 0.0 ? pow(shine, constants.frame.specularPower) : 0.0;
+  return shine > 0.0 ? pow(shine, power) : 0.0;
 }
 
-// Premultiplied colour and opacity, as they are lit.
-vec4 shade(vec4 color, Spot spot)
+// Premultiplied colour and opacity, as they are lit, of the material of a component.
+vec4 shade(vec4 color, Spot spot, uint component)
 {
+  const Material material = constants.frame.materials[component];
   const vec3 normal = normalAt(spot);
   const vec3 view = -normalize(toWorld(spot.direction));
   const vec3 place = toWorld(spot.place);
@@ -79,21 +80,22 @@ vec4 shade(vec4 color, Spot spot)
     diffuse += light.diffuse * (reaching * lit);
     if (lit > 0.0)
     {
-      specular += light.specular * (reaching * shineOf(cosine, normal, toLight, view));
+      specular += light.specular * (reaching * shineOf(cosine, normal, toLight, view, material.specularPower));
     }
   }
-  return vec4(color.rgb * (constants.frame.ambient + constants.frame.diffuse * diffuse) +
-      color.a * constants.frame.specular * specular, color.a);
+  return vec4(color.rgb * (material.ambient + material.diffuse * diffuse) +
+      color.a * material.specular * specular, color.a);
 }
 
-// By what the extinction is multiplied. The table goes evenly from a gradient of nothing to
+// By what the extinction is multiplied, by the function of that number. Its table goes evenly from a gradient of nothing to
 // GREATEST_GRADIENT.
-float opacityOfGradient(Spot spot)
+float opacityOfGradient(Spot spot, uint number)
 {
   const float magnitude = length(spot.gradient * constants.frame.gradientToMagnitude);
   const float x = clamp(magnitude / GREATEST_GRADIENT, 0.0, 1.0) * float(GRADIENT_OPACITIES - 1u);
   const float whole = min(floor(x), float(GRADIENT_OPACITIES - 2u));
   const uint i = min(toIndex(whole), GRADIENT_OPACITIES - 2u);
   Values table = Values(constants.frame.gradientOpacity);
-  return mix(table.items[i], table.items[i + 1u], x - whole);
+  const uint at = number * GRADIENT_OPACITIES + i;
+  return mix(table.items[at], table.items[at + 1u], x - whole);
 }

@@ -41,6 +41,8 @@
 #include "MarchIntervals.glsl"
 #if defined(FAMILY_COMPONENTS)
 #include "Components.glsl"
+#include "AbsorbComponents.glsl"
+#include "ProjectComponents.glsl"
 #include "MarchComponents.glsl"
 #elif defined(FAMILY_PROJECTION)
 #include "Slice.glsl"

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The march through several components: cell by cell, or by intervals as MarchIntervals.glsl has them.
 
-void addComponents(Ray ray, Cursor cursor, vec4 from, vec4 to, float length,
-  inout Accumulator gathered)
-{
-  addBehind(absorbComponents(from, to, length * ray.unitsPerHalfCell),
-    spotAt(ray, cursor.brick, cursor.entry, vec3(0.0)), gathered);
-}
-
-void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+// The cell's values; below 0: it is absent. A cell has all of its components, or none.
+vec4 componentsOfCell(Ray ray, Cursor cursor, inout float end)
 {
   Brick holder;
   uvec3 cell;
-  float end = cursor.exit;
   findHolder(cursor.brick, cursor.others, ray, cursor.entry, end, holder, cell);
   const uvec3 n = cellsOf(holder);
   vec4 values = vec4(0.0);
@@ -20,9 +13,40 @@ void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathe
   {
     values[k] = valueAt(holder, n, cell, k);
   }
-  if (values.x >= 0.0) // a cell has all of its components, or none
+  return values;
+}
+
+void addComponents(Piece piece, inout Accumulator gathered)
+{
+  if (isExtremum)
   {
-    addComponents(ray, cursor, values, values, end - cursor.entry, gathered);
+    widenComponentsTo(piece.to, gathered);
+  }
+  else if (isComposite)
+  {
+    const vec4 color = absorbComponents(piece);
+    gathered.color += (1.0 - gathered.color.a) * color;
+  }
+  else
+  {
+    sumComponents(piece, gathered);
+  }
+}
+
+void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
+  float end = cursor.exit;
+  const vec4 values = componentsOfCell(ray, cursor, end);
+  if (values.x >= 0.0)
+  {
+    const float middle = 0.5 * (cursor.entry + end);
+    mat4x3 gradients = mat4x3(0.0);
+    if (needsGradient)
+    {
+      sampleComponents(cursor, ray, middle, gradients);
+    }
+    addComponents(Piece(values, values, (end - cursor.entry) * ray.unitsPerHalfCell, gradients,
+                    spotAt(ray, cursor.brick, middle, vec3(0.0))), gathered);
   }
   endCell(end, cursor);
 }
@@ -38,23 +62,36 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
     const int count = cursor.halved && !first ? 2 : 1;
     vec4 middle = vec4(0.0);
     vec4 values = vec4(0.0);
+    mat4x3 middleGradients = mat4x3(0.0);
+    mat4x3 gradients = mat4x3(0.0);
     for (int k = 1; k <= count; ++k)
     {
       middle = values;
+      middleGradients = gradients;
       const float at = first ? cursor.entry : k == count ? end : cursor.entry + 0.5 * length;
-      values = sampleComponents(cursor, ray, at);
+      values = sampleComponents(cursor, ray, at, gradients);
     }
     const vec4 last = cursor.values;
+    if (isExtremum && count == 2)
+    {
+      widenComponentsToVertices(last, middle, values, gathered);
+    }
     middle = clamp((4.0 * middle - 0.5 * (last + values)) / 3.0, min(middle, min(last, values)),
       max(middle, max(last, values)));
+    const float units = length / float(count) * ray.unitsPerHalfCell;
     for (int k = 1; k <= count; ++k)
     {
       const vec4 next = k == count ? values : middle;
-      if (!first)
+      const mat4x3 nextGradients = k == count ? gradients : middleGradients;
+      if (!first || isExtremum)
       {
-        addComponents(ray, cursor, cursor.values, next, length / float(count), gathered);
+        const float at = cursor.entry + (float(k) - 0.5) / float(count) * length;
+        addComponents(Piece(first ? next : cursor.values, next, units,
+                        0.5 * (cursor.gradients + nextGradients),
+                        spotAt(ray, cursor.brick, at, vec3(0.0))), gathered);
       }
       cursor.values = next;
+      cursor.gradients = nextGradients;
     }
   }
   cursor.known = there;
@@ -64,9 +101,32 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
   }
 }
 
+// The values at the place where a ray passes a plane: there its one segment begins (Segments.glsl).
+void marchComponentsOfSlice(Ray ray, inout Cursor cursor, inout Accumulator gathered)
+{
+  float end = cursor.exit;
+  vec4 values = componentsOfCell(ray, cursor, end);
+  if (values.x >= 0.0)
+  {
+    if (!isNearest)
+    {
+      mat4x3 gradients;
+      values = sampleComponents(cursor, ray, cursor.entry, gradients);
+    }
+    gathered.values = values;
+    gathered.value = 0.0; // it is complete
+  }
+  cursor.entry = cursor.exit;
+  cursor.intervals = 0;
+}
+
 void marchComponents(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
-  if (isNearest)
+  if (isSlice)
+  {
+    marchComponentsOfSlice(ray, cursor, gathered);
+  }
+  else if (isNearest)
   {
     marchComponentsOfCell(ray, cursor, gathered);
   }

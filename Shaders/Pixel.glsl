@@ -7,7 +7,11 @@ vec4 marchPixel(FrameBuffer f, uvec2 pixel)
 {
   Accumulator gathered = startAccumulator();
   traverse(f, pixel, gathered);
+#ifdef FAMILY_COMPONENTS
+  return toPixelOfComponents(gathered);
+#else
   return toPixel(gathered);
+#endif
 }
 
 // The pixel of this invocation, of the rows that are marched. Tiles of 8 x 8 pixels come row by row.

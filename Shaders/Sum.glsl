@@ -3,7 +3,7 @@
 // values count. The table holds that product in its colours, and opacity.
 
 // The fraction of the values from one to the other that counts.
-float fractionThatCounts(float from, float to)
+float fractionThatCounts(float from, float to, vec2 range)
 {
   if (blending == BLENDING_ADDITIVE)
   {
@@ -13,16 +13,16 @@ float fractionThatCounts(float from, float to)
   const float most = max(from, to);
   if (most - least < 1e-6)
   {
-    return to >= averageRange.x && to <= averageRange.y ? 1.0 : 0.0;
+    return to >= range.x && to <= range.y ? 1.0 : 0.0;
   }
-  return max(min(most, averageRange.y) - max(least, averageRange.x), 0.0) / (most - least);
+  return max(min(most, range.y) - max(least, range.x), 0.0) / (most - least);
 }
 
 void sumConstant(float value, float units, inout Accumulator gathered)
 {
   const TransferPart part = findPart(value);
   gathered.color += mix(part.lower, part.upper, part.fraction) * units;
-  gathered.counted += fractionThatCounts(value, value) * units;
+  gathered.counted += fractionThatCounts(value, value, averageRange) * units;
 }
 
 void sumInterval(float from, float to, float units, bool isFirst, inout Accumulator gathered)
@@ -32,7 +32,7 @@ void sumInterval(float from, float to, float units, bool isFirst, inout Accumula
   if (!isFirst)
   {
     gathered.color += meanBetween(gathered.last, point, vec2(from, to), part) * units;
-    gathered.counted += fractionThatCounts(from, to) * units;
+    gathered.counted += fractionThatCounts(from, to, averageRange) * units;
   }
   gathered.last = point;
 }

@@ -27,6 +27,10 @@ const bool jittered = false;
 layout(constant_id = 5) const uint blending = BLENDING_MAXIMUM;
 const bool isComposite = false;
 const bool isIsosurface = false;
+#elif defined(FAMILY_COMPONENTS)
+layout(constant_id = 5) const uint blending = BLENDING_COMPOSITE;
+const bool isComposite = blending == BLENDING_COMPOSITE;
+const bool isIsosurface = false;
 #else
 #if defined(FAMILY_ISOSURFACE)
 const uint blending = BLENDING_ISOSURFACE;
@@ -39,12 +43,12 @@ const bool isIsosurface = blending == BLENDING_ISOSURFACE;
 const bool isExtremum = blending == BLENDING_MAXIMUM || blending == BLENDING_MINIMUM;
 const bool isSlice = blending == BLENDING_SLICE;
 // The rest of what is seen is lit, and less opaque where the field changes little.
-#if defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE)
+#if defined(FAMILY_ISOSURFACE) || defined(FAMILY_COMPOSITE) || defined(FAMILY_COMPONENTS)
 layout(constant_id = 8) const bool isShaded = false;
 #else
 const bool isShaded = false;
 #endif
-#if defined(FAMILY_COMPOSITE)
+#if defined(FAMILY_COMPOSITE) || defined(FAMILY_COMPONENTS)
 layout(constant_id = 9) const bool hasGradientOpacity = false;
 #else
 const bool hasGradientOpacity = false;

@@ -55,13 +55,26 @@ Light makeLight(vtkLight* from, const glm::dvec3& corner)
   light.exponent = from->GetExponent();
   return light;
 }
+
+bool isShaded(vtkVolumeProperty* property, std::size_t components)
+{
+  const std::size_t functions = property->GetIndependentComponents() ? components : 1;
+  for (std::size_t k = 0; k < std::min<std::size_t>(functions, layout::MOST_COMPONENTS); ++k)
+  {
+    if (property->GetShade(static_cast<int>(k)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
 {
   Requests requests;
   const std::size_t lights = findLights(ren).size();
-  if (vol->GetProperty()->GetShade(0) && lights > layout::MOST_LIGHTS)
+  if (isShaded(vol->GetProperty(), layout::MOST_COMPONENTS) && lights > layout::MOST_LIGHTS)
   {
     requests.drawnWithout.push_back("Expected at most " + std::to_string(layout::MOST_LIGHTS) +
       " lights that shine, found " + std::to_string(lights) +
@@ -73,15 +86,17 @@ Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
 std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked)
 {
   vtkVolumeProperty* property = vol->GetProperty();
-  if (!property->GetShade(0))
+  if (!isShaded(property, bricked.volume.components()))
   {
     return std::nullopt;
   }
   Lighting lighting;
-  lighting.ambient = property->GetAmbient(0);
-  lighting.diffuse = property->GetDiffuse(0);
-  lighting.specular = property->GetSpecular(0);
-  lighting.specularPower = property->GetSpecularPower(0);
+  for (std::size_t k = 0; k < lighting.materials.size(); ++k)
+  {
+    const int component = static_cast<int>(k);
+    lighting.materials[k] = { property->GetAmbient(component), property->GetDiffuse(component),
+      property->GetSpecular(component), property->GetSpecularPower(component) };
+  }
   lighting.twoSided = ren->GetTwoSidedLighting() != 0;
   const glm::dmat4 toWorld = toGLM(vol->GetMatrix());
   lighting.dataToWorld = glm::dmat3(toWorld);
@@ -93,21 +108,30 @@ std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const Bri
   return lighting;
 }
 
-std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Range& range)
+std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Volume& volume)
 {
-  if (!hasGradientOpacity(property))
+  // Of dependent components the last one has opacity, by the first function.
+  const std::size_t components = volume.components();
+  const bool independent = property->GetIndependentComponents() != 0;
+  const std::size_t functions = independent ? components : 1;
+  std::vector<float> tables;
+  bool any = false;
+  for (std::size_t k = 0; k < functions; ++k)
   {
-    return {};
+    const int component = static_cast<int>(k);
+    const bool has = hasGradientOpacity(property, component);
+    any = any || has;
+    const Range& range = volume.valuesOf(independent ? k : components - 1)->range;
+    const double width = range.max > range.min ? range.max - range.min : 1.0;
+    for (std::uint32_t i = 0; i < layout::GRADIENT_OPACITIES; ++i)
+    {
+      const double part = static_cast<double>(i) / (layout::GRADIENT_OPACITIES - 1);
+      const double gradient = part * layout::GREATEST_GRADIENT * width;
+      const double opacity =
+        has ? property->GetGradientOpacity(component)->GetValue(gradient) : 1.0;
+      tables.push_back(static_cast<float>(std::clamp(opacity, 0.0, 1.0)));
+    }
   }
-  vtkPiecewiseFunction* function = property->GetGradientOpacity(0);
-  const double width = range.max > range.min ? range.max - range.min : 1.0;
-  std::vector<float> table(layout::GRADIENT_OPACITIES);
-  for (std::size_t i = 0; i < table.size(); ++i)
-  {
-    const double part = static_cast<double>(i) / static_cast<double>(table.size() - 1);
-    table[i] = static_cast<float>(
-      std::clamp(function->GetValue(part * layout::GREATEST_GRADIENT * width), 0.0, 1.0));
-  }
-  return table;
+  return any ? tables : std::vector<float>();
 }
 }

@@ -31,16 +31,16 @@ std::string checkUnits(vtkVolumeProperty* property, int components)
 }
 }
 
-Requests checkMedium(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
-  const MapperSettings& settings, const BrickedVolume& bricked)
+Requests checkMedium(
+  vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked)
 {
   Requests requests;
   const int components = static_cast<int>(bricked.volume.components());
-  if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  if (mapper->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND)
   {
-    requests.refused = "expected blend mode composite for the " + std::to_string(components) +
-      " components of the array, found another one, which is not supported yet with several. Call "
-      "SetBlendModeToComposite(), or choose the magnitude or one component";
+    requests.refused = "expected one value of each cell for blend mode iso-surface, found " +
+      std::to_string(components) +
+      " components. Choose one, or the magnitude, by the mapper's VectorMode";
     return requests;
   }
   const bool independent = property->GetIndependentComponents();
@@ -52,25 +52,17 @@ Requests checkMedium(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
     return requests;
   }
   requests.refused = checkUnits(property, independent ? components : 1);
-  bool gradients = false;
-  for (int k = 0; k < (independent ? components : 1); ++k)
+  for (int k = 1; k < (independent ? components : 1); ++k)
   {
-    gradients = gradients || hasGradientOpacity(property, k) || property->GetShade(k);
-    if (k > 0 && hasCategories(property, k))
+    if (hasCategories(property, k))
     {
       requests.drawnWithout.push_back(describeCategories());
     }
-  }
-  if (gradients)
-  {
-    requests.drawnWithout.push_back("Shading and gradient opacity are not supported yet with "
-                                    "several components: the volume is drawn without them.");
-  }
-  if (settings.errorTolerance > 0.0)
-  {
-    requests.drawnWithout.push_back(
-      "An ErrorTolerance is not supported yet with several "
-      "components: the volume is drawn with the StepScale or the SampleDistance.");
+    if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND &&
+      hasGradientOpacity(property, k))
+    {
+      requests.drawnWithout.push_back(describeGradientOpacityElsewhere());
+    }
   }
   return requests;
 }

@@ -14,8 +14,8 @@ class vtkVolumeProperty;
 namespace exabricks
 {
 /// Of a volume with several components.
-Requests checkMedium(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
-  const MapperSettings& settings, const BrickedVolume& bricked);
+Requests checkMedium(
+  vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked);
 
 /// Of a property that checkMedium() has let pass.
 Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked);

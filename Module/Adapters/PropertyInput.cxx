@@ -49,6 +49,11 @@ bool hasCategories(vtkVolumeProperty* property, int component)
     property->GetRGBTransferFunction(component)->GetIndexedLookup();
 }
 
+std::string describeGradientOpacityElsewhere()
+{
+  return "Gradient opacity counts with blend mode composite alone: the volume is drawn without it.";
+}
+
 std::string describeCategories()
 {
   return "Colors of categories (IndexedLookup) are not supported yet: the volume is drawn with the "
@@ -105,8 +110,7 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   }
   if (mode != vtkVolumeMapper::COMPOSITE_BLEND && hasGradientOpacity(property))
   {
-    without("Gradient opacity counts with blend mode composite alone: the volume is drawn without "
-            "it.");
+    without(describeGradientOpacityElsewhere());
   }
   if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
   {
@@ -162,10 +166,16 @@ Blending findBlending(vtkVolumeMapper* mapper)
   }
 }
 
-glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range)
+AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume)
 {
   const double* values = mapper->GetAverageIPScalarRange();
-  return { range.normalize(values[0]), range.normalize(values[1]) };
+  AverageRanges ranges = wholeAverageRanges();
+  for (std::size_t k = 0; k < std::min(volume.components(), ranges.size()); ++k)
+  {
+    const Range& range = volume.valuesOf(k)->range;
+    ranges[k] = { range.normalize(values[0]), range.normalize(values[1]) };
+  }
+  return ranges;
 }
 
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range)

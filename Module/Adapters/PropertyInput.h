@@ -7,6 +7,7 @@
 #include "Adapters/ColorWindow.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Core/Blending.h"
+#include "Core/Volume.h"
 
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 /// Whether the property's colours of a component are those of categories, and the warning of it.
 bool hasCategories(vtkVolumeProperty* property, int component = 0);
 std::string describeCategories();
+/// The warning of gradient opacity in other blend modes than composite.
+std::string describeGradientOpacityElsewhere();
 
 /// Checks what can be told without data.
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
@@ -46,10 +49,10 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 /// Checks the numbers: returns what is refused, or nothing.
 std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& settings);
 
-/// The mapper's blend mode, which checkWithoutData() has let pass, and the range of values that
-/// count for the average, over `range` of the array's values.
+/// The mapper's blend mode, which checkWithoutData() has let pass, and the values of each component
+/// that count for the average.
 Blending findBlending(vtkVolumeMapper* mapper);
-glm::dvec2 findAverageRange(vtkVolumeMapper* mapper, const Range& range);
+AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume);
 /// Of the property, over `range`, in ascending order, each once.
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range);
 

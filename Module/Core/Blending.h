@@ -4,7 +4,9 @@
 #define ExaBricksCoreBlending_h
 
 #include "Core/TransferFunction.h"
+#include "Layout.h"
 
+#include <array>
 #include <glm/vec2.hpp>
 
 namespace exabricks
@@ -20,6 +22,15 @@ enum class Blending
   Isosurface, // surfaces of some values, of their colour and opacity
   Slice       // a plane, of the colour and opacity of the values there
 };
+
+/// Normalised values that count for Average, of each component.
+using AverageRanges = std::array<glm::dvec2, layout::MOST_COMPONENTS>;
+inline AverageRanges wholeAverageRanges()
+{
+  AverageRanges ranges;
+  ranges.fill({ 0.0, 1.0 });
+  return ranges;
+}
 
 /// The function that is looked up along a ray. `averageRange`: normalised values that count for
 /// Average.

@@ -3,6 +3,9 @@
 #ifndef ExaBricksCoreLighting_h
 #define ExaBricksCoreLighting_h
 
+#include "Layout.h"
+
+#include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -30,12 +33,24 @@ inline bool operator==(const Light& a, const Light& b)
     a.coneAngle == b.coneAngle && a.exponent == b.exponent;
 }
 
-struct Lighting
+struct Material
 {
-  double ambient = 0.1; // of the material, times the colour
+  double ambient = 0.1; // times the colour
   double diffuse = 0.7; // times the colour
   double specular = 0.2;
   double specularPower = 10.0;
+};
+
+inline bool operator==(const Material& a, const Material& b)
+{
+  return a.ambient == b.ambient && a.diffuse == b.diffuse && a.specular == b.specular &&
+    a.specularPower == b.specularPower;
+}
+
+struct Lighting
+{
+  /// Of each independent component; of one, and of dependent ones, the first.
+  std::array<Material, layout::MOST_COMPONENTS> materials;
   bool twoSided = true; // light from behind counts as much
   std::vector<Light> lights;
   glm::dmat3 dataToWorld{ 1.0 }; // linear
@@ -43,8 +58,7 @@ struct Lighting
 
 inline bool operator==(const Lighting& a, const Lighting& b)
 {
-  return a.ambient == b.ambient && a.diffuse == b.diffuse && a.specular == b.specular &&
-    a.specularPower == b.specularPower && a.twoSided == b.twoSided && a.lights == b.lights &&
+  return a.materials == b.materials && a.twoSided == b.twoSided && a.lights == b.lights &&
     a.dataToWorld == b.dataToWorld;
 }
 }

@@ -77,8 +77,8 @@ struct View
   Cutaway cutaway;
   double opacityUnitDistance = 1.0; // length in the data's coordinates
   Blending blending = Blending::Composite;
-  glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised values that count for Blending::Average
-  std::vector<double> isoValues;       // normalised, ascending, for Blending::Isosurface
+  AverageRanges averageRanges = wholeAverageRanges(); // for Blending::Average
+  std::vector<double> isoValues; // normalised, ascending, for Blending::Isosurface
   /// For Blending::Slice: as the planes of the cutaway.
   glm::dvec4 slicePlane{ 0.0, 0.0, 1.0, 0.0 };
   std::optional<Lighting> lighting; // none: colours are those of the transfer function
@@ -107,7 +107,7 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
-    a.averageRange == b.averageRange && a.isoValues == b.isoValues &&
+    a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
     a.slicePlane == b.slicePlane && a.lighting == b.lighting;
 }
 }

@@ -146,10 +146,14 @@ void LevelsOfDetail::Update(
   if (!level.activeOnDevice)
   {
     const Stopwatch watch;
-    level.onDevice->setActive(selection.transfers.empty()
+    std::vector<const TransferFunction*> shown;
+    for (const std::optional<TransferFunction>& function : selection.visibility)
+    {
+      shown.push_back(function ? &*function : nullptr);
+    }
+    level.onDevice->setActive(shown.empty()
         ? selectAllRegions(level.volume, selection.form)
-        : selectActiveRegions(
-            level.volume, selection.transfers, selection.weights, selection.form));
+        : selectActiveRegions(level.volume, shown, selection.weights, selection.form));
     level.activeOnDevice = true;
     this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
   }

@@ -4,6 +4,7 @@
 #ifndef ExaBricksVulkanLevelsOfDetail_h
 #define ExaBricksVulkanLevelsOfDetail_h
 
+#include "Core/Appearance.h"
 #include "Core/Coarsening.h"
 #include "Vulkan/DeviceVolume.h"
 
@@ -14,8 +15,8 @@ namespace vulkan
 /// What of a volume is walked, and in which form.
 struct Selection
 {
-  /// [component]: null: it does not matter. Empty: all regions with bricks, as wholes.
-  std::vector<const TransferFunction*> transfers;
+  /// Empty: all regions with bricks, as wholes.
+  Visibility visibility;
   const StepWeights* weights = nullptr; // null: one cell of the finest brick everywhere
   ActiveForm form;                      // boxes: for ray queries; else the k-d tree
 };

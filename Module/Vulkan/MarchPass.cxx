@@ -70,10 +70,12 @@ Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
 // `toWorld`: linear, from half cells.
 void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dmat3& toWorld)
 {
-  frame.ambient = static_cast<float>(lighting.ambient);
-  frame.diffuse = static_cast<float>(lighting.diffuse);
-  frame.specular = static_cast<float>(lighting.specular);
-  frame.specularPower = static_cast<float>(lighting.specularPower);
+  for (std::size_t k = 0; k < lighting.materials.size(); ++k)
+  {
+    const Material& from = lighting.materials[k];
+    frame.materials[k] = { static_cast<float>(from.ambient), static_cast<float>(from.diffuse),
+      static_cast<float>(from.specular), static_cast<float>(from.specularPower) };
+  }
   frame.twoSided = lighting.twoSided;
   frame.halfCellsToWorldX = toWorld[0];
   frame.halfCellsToWorldY = toWorld[1];
@@ -178,8 +180,13 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.stepScale = static_cast<float>(view.quality.stepScale);
   frame.fixedStep = static_cast<float>(view.quality.sampleDistance / view.opacityUnitDistance);
   frame.terminationOpacity = static_cast<float>(view.quality.terminationOpacity);
-  frame.leastToAverage = static_cast<float>(view.averageRange.x);
-  frame.mostToAverage = static_cast<float>(view.averageRange.y);
+  for (std::size_t k = 0; k < view.averageRanges.size(); ++k)
+  {
+    frame.leastToAverage[static_cast<glm::length_t>(k)] =
+      static_cast<float>(view.averageRanges[k].x);
+    frame.mostToAverage[static_cast<glm::length_t>(k)] =
+      static_cast<float>(view.averageRanges[k].y);
+  }
   frame.isoValueCount = static_cast<std::uint32_t>(
     std::min<std::size_t>(view.isoValues.size(), layout::MOST_ISO_VALUES));
   std::copy_n(view.isoValues.begin(), frame.isoValueCount, frame.isoValues);

@@ -13,30 +13,13 @@
 
 namespace exabricks
 {
-namespace
-{
-Extreme extremeOf(Blending blending)
-{
-  return blending == Blending::Maximum ? Extreme::Greatest
-    : blending == Blending::Minimum    ? Extreme::Least
-                                       : Extreme::None;
-}
-}
-
 struct VolumeRenderer::Internals
 {
   // What the caller set.
   Traversal RequestedTraversal = Traversal::Automatic;
-  TransferFunction Transfer;
-  Medium Mixed;               // in its place, for several components
-  std::size_t Components = 1; // of the volume that was set last
+  exabricks::Appearance Appearance;
   std::vector<float> GradientOpacity;
-  // And with the last view: what is looked up and what shows depend on it.
-  Blending Blended = Blending::Composite;
-  glm::dvec2 AverageRange{ 0.0, 1.0 };
-  std::vector<double> IsoValues;
-  bool SurfacesOfCells = false;
-  TransferFunction Visibility;
+  exabricks::Visibility Visibility; // by the last view
 
   // What is on the device. Rebuilt from the above when the device was lost.
   vulkan::DeviceSession Session;
@@ -53,15 +36,8 @@ struct VolumeRenderer::Internals
 
   vulkan::Selection MakeSelection() const
   {
-    return { this->HasComponents() ? this->Mixed.visibility()
-                                   : std::vector<const TransferFunction*>{ &this->Visibility },
-      this->Weights ? &*this->Weights : nullptr,
-      { this->Measured.traversal == Traversal::RayQuery, extremeOf(this->Blended) } };
-  }
-
-  bool HasComponents() const
-  {
-    return !this->Levels.empty() && this->Levels.volume().components() > 1;
+    return { this->Visibility, this->Weights ? &*this->Weights : nullptr,
+      { this->Measured.traversal == Traversal::RayQuery, this->Appearance.extreme() } };
   }
 
   // What was chosen for an error no longer holds.
@@ -128,28 +104,10 @@ struct VolumeRenderer::Internals
     if (!this->Colors)
     {
       const Stopwatch watch;
-      this->Colors.emplace(this->Session.device(), this->MakeTables(), this->GradientOpacity);
+      this->Colors.emplace(
+        this->Session.device(), this->Appearance.makeTables(), this->GradientOpacity);
       this->Measured.colorTime = watch.seconds();
     }
-  }
-
-  std::vector<TransferTable> MakeTables() const
-  {
-    std::vector<TransferTable> tables;
-    if (!this->HasComponents())
-    {
-      tables.emplace_back(findLookup(this->Transfer, this->Blended, this->AverageRange),
-        this->Blended == Blending::Composite ? TransferTable::Amount::Extinction
-                                             : TransferTable::Amount::Opacity);
-      return tables;
-    }
-    for (const TransferFunction& function : this->Mixed.functions)
-    {
-      const bool isColor = this->Mixed.mixing == Mixing::ColorAndOpacity && tables.empty();
-      tables.emplace_back(
-        function, isColor ? TransferTable::Amount::Opacity : TransferTable::Amount::Extinction);
-    }
-    return tables;
   }
 
   void UpdateFinestLevel()
@@ -215,7 +173,8 @@ struct VolumeRenderer::Internals
     variant.jittered =
       view.quality.jittered && view.quality.reconstruction != Reconstruction::Nearest;
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
-    variant.mixing = this->HasComponents() ? this->Mixed.mixing : Mixing::Independent;
+    variant.mixing =
+      this->Appearance.hasSeveral() ? this->Appearance.medium().mixing : Mixing::Independent;
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
@@ -224,9 +183,10 @@ struct VolumeRenderer::Internals
     layout::Frame frame{};
     level.onDevice->fill(frame);
     this->Colors->fill(frame);
-    frame.componentWeights = this->Mixed.weights;
-    frame.colorScale = this->Mixed.colorScale;
-    frame.colorOffset = this->Mixed.colorOffset;
+    const Medium& medium = this->Appearance.medium();
+    frame.componentWeights = medium.weights;
+    frame.colorScale = medium.colorScale;
+    frame.colorOffset = medium.colorOffset;
     frame.transmittanceExponent = this->Weights ? StepWeights::TransmittanceExponent : 0.0f;
     vulkan::fillView(frame, view, level.fromHalfCells);
     return frame;
@@ -276,7 +236,7 @@ struct VolumeRenderer::Internals
       this->Weights.reset();
       if (weighted)
       {
-        this->Weights.emplace(TransferTable(this->Transfer));
+        this->Weights.emplace(TransferTable(this->Appearance.transferFunction()));
       }
       this->InvalidateSelection();
       this->Levels.dropCoarser();
@@ -284,41 +244,25 @@ struct VolumeRenderer::Internals
   }
 
   // What is looked up and what shows, for the view's way of blending.
-  void UpdateBlending(const View& view)
+  void UpdateAppearance(const View& view)
   {
-    const glm::dvec2 range =
-      view.blending == Blending::Average ? view.averageRange : this->AverageRange;
-    const std::vector<double>& isoValues =
-      view.blending == Blending::Isosurface ? view.isoValues : this->IsoValues;
-    const bool ofCells = view.quality.reconstruction == Reconstruction::Nearest;
-    if (view.blending != this->Blended || range != this->AverageRange ||
-      isoValues != this->IsoValues ||
-      (view.blending == Blending::Isosurface && ofCells != this->SurfacesOfCells))
+    const Extreme before = this->Appearance.extreme();
+    if (this->Appearance.setView(view))
     {
-      if (extremeOf(view.blending) != extremeOf(this->Blended))
-      {
-        this->InvalidateSelection();
-      }
-      this->Blended = view.blending;
-      this->AverageRange = range;
-      this->IsoValues = isoValues;
-      this->SurfacesOfCells = ofCells;
       this->Colors.reset();
       this->ForgetChoice();
       this->UpdateVisibility();
+    }
+    if (this->Appearance.extreme() != before)
+    {
+      this->InvalidateSelection();
     }
   }
 
   void UpdateVisibility()
   {
-    // Where values are those of cells, a surface lies at a face between two of them, of which
-    // either may be in a region that does not reach the surface's value: all regions count.
-    const Blending blending = this->Blended == Blending::Isosurface && this->SurfacesOfCells
-      ? Blending::Maximum
-      : this->Blended;
-    TransferFunction visibility =
-      findVisibility(this->Transfer, blending, this->AverageRange, this->IsoValues);
-    if (this->Weights || !visibility.showsTheSame(this->Visibility))
+    exabricks::Visibility visibility = this->Appearance.findVisibility();
+    if (this->Weights || !showTheSame(visibility, this->Visibility))
     {
       this->InvalidateSelection();
     }
@@ -327,15 +271,16 @@ struct VolumeRenderer::Internals
 
   void Draw(View view, std::vector<glm::vec4>& picture, const Progress& progress)
   {
-    this->UpdateBlending(view);
+    this->UpdateAppearance(view);
     const bool searched =
       view.quality.errorTolerance > 0.0 && view.quality.reconstruction != Reconstruction::Nearest;
     if (searched)
     {
       view.quality.sampleDistance = 0.0;
     }
-    // Weights are those of absorption: else all steps are equal.
-    const bool weighted = searched && view.blending == Blending::Composite;
+    // Weights are those of absorption by one function: else all steps are equal.
+    const bool weighted =
+      searched && view.blending == Blending::Composite && !this->Appearance.hasSeveral();
     this->UpdateWeights(weighted);
     this->Update();
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
@@ -360,37 +305,18 @@ struct VolumeRenderer::Internals
     this->Measured.marchTime = watch.seconds();
   }
 
-  // Why the volume's components cannot be drawn; empty: they can.
-  std::string CheckMedium() const
+  // Why the volume cannot be drawn in that view; empty: it can.
+  std::string Check(const View& view) const
   {
-    if (!this->HasComponents())
-    {
-      return {};
-    }
-    const std::size_t components = this->Levels.volume().components();
-    const std::size_t wanted = this->Mixed.mixing == Mixing::ColorAndOpacity ? 2
-      : this->Mixed.mixing == Mixing::RGBA                                   ? 4
-                                                                             : components;
-    const std::size_t functions = this->Mixed.mixing == Mixing::RGBA ? 1 : wanted;
-    if (components != wanted || components > layout::MOST_COMPONENTS ||
-      this->Mixed.functions.size() != functions)
-    {
-      return "the functions do not fit the volume's " + std::to_string(components) + " components";
-    }
-    if (!this->GradientOpacity.empty())
-    {
-      return "several components are drawn without gradient opacity";
-    }
-    return {};
+    const std::string unfit = this->CheckMedium();
+    return unfit.empty() && this->Appearance.hasSeveral() && view.blending == Blending::Isosurface
+      ? "several components have no iso-surfaces"
+      : unfit;
   }
 
-  // The same of the view.
-  std::string CheckView(const View& view) const
+  std::string CheckMedium() const
   {
-    return this->HasComponents() &&
-        (view.blending != Blending::Composite || view.lighting || view.quality.errorTolerance > 0.0)
-      ? "several components are drawn by absorption alone, without lighting or an error tolerance"
-      : "";
+    return this->Levels.empty() ? std::string() : this->Appearance.checkMedium();
   }
 
   void ClearPicture(const View& view, std::vector<glm::vec4>& picture) const
@@ -462,12 +388,12 @@ void VolumeRenderer::setVolume(const Volume& volume)
   this->Data->Session.forget();
   this->Data->ForgetChoice();
   this->Data->SceneFailed = false;
-  if (volume && volume.components() != this->Data->Components)
-  {
-    this->Data->Components = volume.components();
-    this->Data->Colors.reset();
-  }
   this->Data->Levels.setVolume(volume);
+  if (volume && this->Data->Appearance.setComponents(volume.components()))
+  {
+    this->Data->Colors.reset();
+    this->Data->UpdateVisibility();
+  }
 }
 
 void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
@@ -475,7 +401,7 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
   this->Data->Session.forget();
   this->Data->Colors.reset();
   this->Data->ForgetChoice();
-  this->Data->Transfer = transfer;
+  this->Data->Appearance.setTransferFunction(transfer);
   this->Data->UpdateVisibility();
   if (this->Data->Weights)
   {
@@ -487,12 +413,9 @@ void VolumeRenderer::setMedium(const Medium& medium)
 {
   this->Data->Session.forget();
   this->Data->Colors.reset();
-  const bool keeps = showTheSame(medium, this->Data->Mixed);
-  this->Data->Mixed = medium;
-  if (!keeps)
-  {
-    this->Data->InvalidateSelection();
-  }
+  this->Data->ForgetChoice();
+  this->Data->Appearance.setMedium(medium);
+  this->Data->UpdateVisibility();
 }
 
 void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
@@ -523,12 +446,10 @@ std::string VolumeRenderer::render(
     return "the volume's values do not fit the reconstruction: completed ones, with a layer around "
            "each brick, are for Completed alone";
   }
-  for (const std::string& unmixed : { this->Data->CheckMedium(), this->Data->CheckView(view) })
+  const std::string unfit = this->Data->Check(view);
+  if (!unfit.empty())
   {
-    if (!unmixed.empty())
-    {
-      return unmixed;
-    }
+    return unfit;
   }
   if (view.cutaway.clippingPlanes.size() > Cutaway::MostClippingPlanes)
   {

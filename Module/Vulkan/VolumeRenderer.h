@@ -40,12 +40,13 @@ public:
   void setTransferFunction(const TransferFunction& transfer);
 
   /// The same for a volume of several components, for which it takes the place of
-  /// setTransferFunction(). They are drawn by Blending::Composite, without lighting, gradient
-  /// opacity or error tolerance. Its functions have to be as many as its mixing takes.
+  /// setTransferFunction(). Its functions have to be as many as its mixing takes; there are no
+  /// iso-surfaces of several components.
   void setMedium(const Medium& medium);
 
   /// By what the extinction of Blending::Composite is multiplied, for GRADIENT_OPACITIES gradients
-  /// from 0 to GREATEST_GRADIENT (Layout.h); empty: by nothing.
+  /// from 0 to GREATEST_GRADIENT (Layout.h), of each function of opacity that a medium has; empty:
+  /// by nothing.
   void setGradientOpacity(const std::vector<float>& table);
 
   /// Brings everything on the device up to date.

@@ -38,7 +38,7 @@ struct VariantRenderer::Internals
     vulkan::Selection selection;
     if (this->Program->skipsSpace)
     {
-      selection.transfers = { &this->Transfer };
+      selection.visibility = { this->Transfer };
     }
     selection.weights = this->Weights ? &*this->Weights : nullptr;
     return selection;

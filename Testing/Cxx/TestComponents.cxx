@@ -7,6 +7,7 @@
 #include "Checks.h"
 #include "Stage.h"
 
+#include "vtkContourValues.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <limits>
@@ -112,6 +113,31 @@ int TestComponents(int, char*[])
   two.Property()->GetRGBTransferFunction(0)->AddRGBPoint(1.0, 0.0, 0.0, 1.0);
   two.Shows({ 0.0, 0.0, 0.0 }, mix(0.5 * shown, 0.5 * shown), "colour and opacity");
 
+  // Each is lit by its own material, and projected by itself.
+  two.Property()->IndependentComponentsOn();
+  setFunctions(two.Property(), 0, { 1.0, 0.0, 0.0 });
+  two.Property()->ShadeOn();
+  for (int component = 0; component < 2; ++component)
+  {
+    two.Property()->SetAmbient(component, component == 0 ? 0.5 : 1.0);
+    two.Property()->SetDiffuse(component, 0.0);
+    two.Property()->SetSpecular(component, 0.0);
+  }
+  Color lit = mix(extinction(0.2), shown);
+  lit[0] *= 0.5;
+  two.Shows({ 0.5 * mix(shown, 0.0)[0], 0.0, 0.0 }, lit, "shaded");
+  two.mapper->SetErrorTolerance(0.002);
+  two.Shows({ 0.5 * mix(shown, 0.0)[0], 0.0, 0.0 }, lit, "within a tolerance");
+  two.mapper->SetErrorTolerance(0.0);
+  two.Property()->ShadeOff();
+  two.mapper->SetBlendModeToMaximumIntensity();
+  two.Shows({ 0.4, 0.0, 0.0 }, { 0.2, 0.0, 0.4 }, "maximum");
+  two.mapper->SetBlendModeToAdditive();
+  // Values, as parts of their components' ranges, times opacities, over the thickness.
+  two.Shows({ 0.8, 0.8, 0.8 }, { 0.8, 0.8, 0.8 }, "additive");
+  two.mapper->SetBlendModeToComposite();
+  two.Property()->IndependentComponentsOff();
+
   // Red, green, blue and opacity, in bytes.
   auto bytes = makeHalves({ 0.0 }, { 0.0 });
   test::forEachGrid(bytes,
@@ -145,14 +171,10 @@ int TestComponents(int, char*[])
     "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
 
   // What is not done is said.
-  two.Property()->IndependentComponentsOn();
-  two.Property()->ShadeOn(1);
-  two.mapper->SetErrorTolerance(0.01);
+  two.mapper->SetBlendModeToIsoSurface();
+  two.Property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
   test::Picture(two.window);
-  checks.Says(messages.TakeWarnings(), { "Shading", "ErrorTolerance" }, "drawn without");
-  two.mapper->SetBlendModeToMaximumIntensity();
-  test::Picture(two.window);
-  checks.Says(messages.TakeErrors(), { "composite", "2 components" }, "another blend mode");
+  checks.Says(messages.TakeErrors(), { "iso-surface", "2 components" }, "iso-surfaces");
   Scene three(checks, makeHalves({ 1.0, 0.0, 0.0 }, { 0.5, 1.0, 0.0 }));
   three.Property()->IndependentComponentsOff();
   test::Picture(three.window);

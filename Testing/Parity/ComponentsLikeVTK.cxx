@@ -39,7 +39,32 @@ int ComponentsLikeVTK(int, char*[])
   setFunctions(property, 1, { 0.1, 0.3, 1.0 });
   mappers.ExpectSameAsOnGPU(checks, "two independent components");
 
+  for (int component = 0; component < 2; ++component)
+  {
+    property->GetScalarOpacity(component)->AddPoint(13.0, 0.0); // far off, where maxima are
+    property->GetScalarOpacity(component)->AddPoint(24.0, 0.5);
+  }
+  mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
+  mappers.ExpectSameAsOnGPU(checks, "maximum of each of two independent components");
+  mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToComposite(); });
+  setFunctions(property, 0, { 0.9, 0.2, 0.1 });
+  setFunctions(property, 1, { 0.1, 0.3, 1.0 });
+
+  // Diffuse light alone, as the fixed-point mapper leaves ambient out.
+  property->ShadeOn();
+  for (int component = 0; component < 2; ++component)
+  {
+    property->SetAmbient(component, 0.0);
+    property->SetDiffuse(component, 0.9);
+    property->SetSpecular(component, 0.0);
+  }
+  mappers.ExpectSameAsOnGPU(checks, "two independent components, shaded");
+
+  // Of dependent ones, the fixed-point mapper and ours shade by the gradient of the last one, which
+  // has opacity, VTK's GPU mapper by that of the first of two.
   property->IndependentComponentsOff();
+  mappers.ExpectSameAs(checks, mappers.fixedPoint, "colour and opacity, shaded");
+  property->ShadeOff();
   mappers.ExpectSame(checks, "colour and opacity");
   return checks.Status();
 }

@@ -4,7 +4,9 @@
 #ifndef ExaBricksReferenceMixture_h
 #define ExaBricksReferenceMixture_h
 
+#include "Core/Blending.h"
 #include "Core/Medium.h"
+#include "Reference/Lit.h"
 #include "Reference/Oracle.h"
 
 namespace exabricks
@@ -13,6 +15,12 @@ namespace reference
 {
 struct MixtureSettings
 {
+  Blending blending = Blending::Composite; // all but Isosurface and Slice
+  AverageRanges averageRanges = wholeAverageRanges();
+  std::optional<Lighting> lighting; // none: colours as they are
+  /// As ShadedSettings has it, of each function of opacity; empty: by 1.
+  std::vector<std::function<double(double)>> gradientOpacity;
+  glm::dmat4 logicalToWorld{ 1.0 }; // affine
   Reconstruction reconstruction = Reconstruction::Basis;
   double opacityUnitDistance = 1.0; // world
   double step = 1.0 / 32.0;         // in the finest cells

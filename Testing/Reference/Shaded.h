@@ -4,9 +4,9 @@
 #ifndef ExaBricksReferenceShaded_h
 #define ExaBricksReferenceShaded_h
 
-#include "Core/Lighting.h"
 #include "Core/TransferFunction.h"
 #include "Reference/Image.h"
+#include "Reference/Lit.h"
 #include "Reference/View.h"
 
 #include <functional>
@@ -16,9 +16,6 @@ namespace exabricks
 {
 namespace reference
 {
-/// The normalised value at a logical position; none where nothing is.
-using FieldFunction = std::function<std::optional<double>(const glm::dvec3& logical)>;
-
 struct ShadedSettings
 {
   std::optional<Lighting> lighting; // none: colours as they are

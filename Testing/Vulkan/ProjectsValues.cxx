@@ -61,7 +61,7 @@ protected:
   void SetUp(SceneRenderer& subject, Reconstruction reconstruction) const
   {
     subject.blending = this->GetParam().blending;
-    subject.averageRange = this->GetParam().averageRange;
+    subject.averageRanges[0] = this->GetParam().averageRange;
     subject.opacityUnitDistance = 24.0;
     subject.reconstruction = reconstruction;
     subject.setTransfer(slopes());
@@ -79,7 +79,7 @@ protected:
     // Corners of cells, that rays pass through on a short length, count as much as others.
     settings.step = subject.reconstruction == Reconstruction::Nearest ? 1.0 / 256 : 1.0 / 32;
     settings.opacityUnitDistance = subject.opacityUnitDistance;
-    settings.averageRange = subject.averageRange;
+    settings.averageRange = subject.averageRanges[0];
     return reference::project(
       oracle, subject.structure.tree.bounds, view, subject.transfer, settings);
   }

@@ -48,6 +48,25 @@ struct SceneRenderer
       this->scene.hierarchy, this->structure.tree.bounds, direction, viewAngle, size, size);
   }
 
+  /// A slanted view of what lies some cells inside of the bounds: at them slopes go on, which is
+  /// not of the field itself.
+  reference::View lookInside(int size) const
+  {
+    const Box& bounds = this->structure.tree.bounds;
+    const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
+    const glm::dvec3 half = 0.5 * glm::dvec3(bounds.size()) - 4.0;
+    reference::View view;
+    view.width = view.height = size;
+    view.ndcToLogical = glm::translate(glm::dmat4(1.0), middle);
+    view.ndcToLogical = glm::scale(view.ndcToLogical, half);
+    view.ndcToLogical[0].x = 0.7 * half.x;
+    view.ndcToLogical[2].x = 0.3 * half.x;
+    view.ndcToLogical[1].y = 0.8 * half.y;
+    view.ndcToLogical[2].y = -0.2 * half.y;
+    view.ndcToWorld = reference::logicalToWorld(this->scene.hierarchy) * view.ndcToLogical;
+    return view;
+  }
+
   View toView(const reference::View& from) const
   {
     View view;
@@ -67,7 +86,7 @@ struct SceneRenderer
     view.quality.terminationOpacity = this->terminationOpacity;
     view.quality.reconstruction = this->reconstruction;
     view.blending = this->blending;
-    view.averageRange = this->averageRange;
+    view.averageRanges = this->averageRanges;
     view.lighting = this->lighting;
     for (const glm::dvec4& plane : from.cut.planes)
     {
@@ -116,7 +135,7 @@ struct SceneRenderer
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
-  glm::dvec2 averageRange{ 0.0, 1.0 };
+  AverageRanges averageRanges = wholeAverageRanges();
   std::optional<Lighting> lighting;
 
 private:

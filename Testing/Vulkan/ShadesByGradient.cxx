@@ -35,9 +35,9 @@ Lighting oneLight()
 Lighting threeLights(const glm::dvec3& size)
 {
   Lighting lighting = oneLight();
-  lighting.ambient = 0.2;
-  lighting.specular = 0.5;
-  lighting.specularPower = 20.0;
+  lighting.materials[0].ambient = 0.2;
+  lighting.materials[0].specular = 0.5;
+  lighting.materials[0].specularPower = 20.0;
   lighting.lights[0].direction = { 1.0, 0.0, 0.0 };
   lighting.lights[0].diffuse = { 1.0, 0.5, 0.1 };
   Light lamp;
@@ -107,24 +107,6 @@ struct Case
   }
 };
 
-// A slanted view of what lies some cells inside of the bounds: at them slopes go on, which is not
-// of the field itself.
-reference::View lookInside(const reference::Scene& scene, const Box& bounds)
-{
-  reference::View view;
-  view.width = view.height = Pixels / 2;
-  const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
-  const glm::dvec3 half = 0.5 * glm::dvec3(bounds.size()) - 4.0;
-  view.ndcToLogical = glm::translate(glm::dmat4(1.0), middle);
-  view.ndcToLogical = glm::scale(view.ndcToLogical, half);
-  view.ndcToLogical[0].x = 0.7 * half.x;
-  view.ndcToLogical[2].x = 0.3 * half.x;
-  view.ndcToLogical[1].y = 0.8 * half.y;
-  view.ndcToLogical[2].y = -0.2 * half.y;
-  view.ndcToWorld = reference::logicalToWorld(scene.hierarchy) * view.ndcToLogical;
-  return view;
-}
-
 std::vector<reference::Scene> scenes()
 {
   return { reference::uniform(), reference::twoLevels(), reference::ratio4(),
@@ -170,7 +152,7 @@ TEST(ShadesByGradient, OpacityByTheGradientsMagnitude)
   for (const reference::Scene& scene : scenes())
   {
     Case test(scene);
-    test.view = lookInside(scene, test.subject.structure.tree.bounds);
+    test.view = test.subject.lookInside(Pixels / 2);
     const reference::Image plain = test.truth();
     test.settings.gradientOpacity = [](double magnitude)
     { return std::clamp((magnitude - 0.03) / 0.05, 0.0, 1.0); };
