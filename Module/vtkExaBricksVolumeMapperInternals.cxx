@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkExaBricksVolumeMapperInternals.h"
+
+#include "Adapters/ArraySelection.h"
+#include "Adapters/CutawayInput.h"
+#include "Adapters/LightingInput.h"
+#include "Adapters/MediumInput.h"
+#include "Adapters/ViewInput.h"
+#include "Core/Completion.h"
+#include "vtkExaBricksData.h"
+
+#include "vtkCommand.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
+      static_cast<int>(vtkExaBricksBuilder::MAGNITUDE) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::DISABLED) ==
+      static_cast<int>(vtkExaBricksBuilder::DISABLED) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::COMPONENT) ==
+      static_cast<int>(vtkExaBricksBuilder::COMPONENT),
+  "the mapper hands its vector mode to the builder");
+
+static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
+      static_cast<int>(exabricks::Reconstruction::Nearest) &&
+    static_cast<int>(vtkExaBricksVolumeMapper::COMPLETED) ==
+      static_cast<int>(exabricks::Reconstruction::Completed),
+  "the mapper hands its reconstruction to the renderer");
+
+// Points the builder to the mapper's input and array; returns why it cannot.
+std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
+{
+  vtkExaBricksBuilder* builder = this->Builder;
+  vtkAlgorithmOutput* input =
+    this->Self->GetNumberOfInputConnections(0) > 0 ? this->Self->GetInputConnection(0, 0) : nullptr;
+  if (!input)
+  {
+    // Nothing of the former input is kept.
+    builder->RemoveAllInputConnections(0);
+    builder->GetOutputDataObject(0)->Initialize();
+    this->DropVolume();
+    return "Expected a vtkOverlappingAMR as input, found none. Call SetInputConnection()";
+  }
+  if (builder->GetNumberOfInputConnections(0) == 0 || builder->GetInputConnection(0, 0) != input)
+  {
+    builder->SetInputConnection(input);
+  }
+  builder->SetVectorMode(this->Self->VectorMode);
+  builder->SetVectorComponent(this->Self->VectorComponent);
+  builder->SetLevelRange(this->Self->LevelRange);
+  return exabricks::selectArray(builder, this->Self);
+}
+
+// What the builder made; null if there is nothing to draw.
+std::shared_ptr<const exabricks::BrickedVolume>
+vtkExaBricksVolumeMapper::vtkInternals::GetBrickedVolume() const
+{
+  vtkExaBricksData* data = this->Builder->GetOutput();
+  return this->ConfigurationFault.empty() && data ? data->GetBrickedVolume() : nullptr;
+}
+
+// Checks what is asked for, updates the renderer and draws. Returns as Compositor::draw() does.
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
+  vtkRenderer* ren, vtkVolume* vol, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
+{
+  const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
+  const std::string refused = this->CheckData(property, *bricked);
+  if (bricked->volume.values->range.empty())
+  {
+    this->Report({ {}, { "No cell of the array has a finite value: nothing shows." } });
+  }
+  try
+  {
+    if (!refused.empty())
+    {
+      if (bricked != this->Bricked)
+      {
+        this->DropVolume(); // two of them may be too much memory
+      }
+      return refused;
+    }
+    this->UpdateRenderer(property, bricked);
+    return this->Composite(ren, vol, *bricked);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Bricked.reset();
+    return "out of memory on the host. Read fewer levels, or make the window smaller";
+  }
+}
+
+// Returns what is refused of the data and the property, or nothing.
+std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
+{
+  const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->SampleDistance,
+    this->Self->ErrorTolerance, { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
+  const std::string refused = exabricks::checkNumbers(property, settings);
+  return refused.empty() && bricked.volume.components() > 1
+    ? this->Report(exabricks::checkMedium(this->Self, property, bricked))
+    : refused;
+}
+
+// Hands the renderer what has changed. Throws std::bad_alloc.
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
+  vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
+{
+  this->Renderer.selectTraversal(static_cast<exabricks::Traversal>(this->Self->Traversal));
+  this->Renderer.selectDevice(this->Self->Device ? this->Self->Device : "");
+  const bool newData = bricked != this->Bricked;
+  const bool completed = this->FindReconstruction(property) == exabricks::Reconstruction::Completed;
+  if (newData || this->Completed != completed)
+  {
+    this->UpdateVolume(bricked, completed);
+  }
+  // Nodes are normalised to the range of the data, so new data want new tables too.
+  if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
+  {
+    this->UpdateTransferFunction(property, *bricked);
+  }
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateVolume(
+  const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed)
+{
+  exabricks::Volume volume = bricked->volume;
+  if (!this->Bricked || this->Bricked->volume.structure != volume.structure)
+  {
+    // The former one goes first, as completing the levels takes memory.
+    this->Renderer.setVolume({});
+  }
+  if (completed)
+  {
+    volume.values = exabricks::complete(*volume.structure, *volume.values);
+    for (std::shared_ptr<const exabricks::Values>& values : volume.furtherValues)
+    {
+      values = exabricks::complete(*volume.structure, *values);
+    }
+  }
+  this->Renderer.setVolume(std::move(volume));
+  this->Bricked = bricked;
+  this->Completed = completed;
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
+{
+  this->Property = property;
+  if (bricked.volume.components() > 1)
+  {
+    this->Renderer.setMedium(exabricks::makeMedium(property, bricked));
+  }
+  else
+  {
+    const exabricks::Range& range = bricked.volume.values->range;
+    this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
+  }
+  this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, bricked.volume));
+  // Asked afterwards, as discretised functions make tables when they are evaluated, and are
+  // modified by that.
+  this->PropertyTime = property->GetMTime();
+}
+
+// The one that was chosen, or that of the property's interpolation type.
+exabricks::Reconstruction vtkExaBricksVolumeMapper::vtkInternals::FindReconstruction(
+  vtkVolumeProperty* property) const
+{
+  return !this->ReconstructionChosen &&
+      property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? exabricks::Reconstruction::Nearest
+    : static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
+}
+
+exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* ren, vtkVolume* vol,
+  const exabricks::BrickedVolume& bricked, int width, int height) const
+{
+  exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
+  view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
+  view.quality.stepScale = this->Self->StepScale;
+  view.quality.sampleDistance = this->Self->SampleDistance;
+  view.quality.jittered = this->Self->UseJittering;
+  view.quality.errorTolerance = this->Self->ErrorTolerance;
+  view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
+  view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+  view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
+  view.blending = exabricks::findBlending(this->Self);
+  view.averageRanges = exabricks::findAverageRanges(this->Self, bricked.volume);
+  view.slicePlane = exabricks::findSlicePlane(vol, bricked);
+  view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
+  view.lighting = exabricks::makeLighting(ren, vol, bricked);
+  return view;
+}
+
+// Renders the picture and puts it into the window, or what a selector wants to know of it.
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
+{
+  const auto makeView = [&](int width, int height)
+  { return this->MakeView(ren, vol, bricked, width, height); };
+  if (ren->GetSelector())
+  {
+    return this->Compositor.drawSelection(ren, makeView, this->Renderer);
+  }
+  const auto progress = [&](double done)
+  {
+    this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
+    this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
+    return !this->Aborted;
+  };
+  return this->Compositor.draw(this->Self, ren, vol, makeView,
+    { this->Self->FinalColorWindow, this->Self->FinalColorLevel }, this->Renderer, progress);
+}
+
+// Gives back what was held of the former volume.
+void vtkExaBricksVolumeMapper::vtkInternals::DropVolume()
+{
+  this->Renderer.setVolume({});
+  this->Bricked.reset();
+}
+
+// Warns, once, of what the volume is drawn without; returns what is refused.
+std::string vtkExaBricksVolumeMapper::vtkInternals::Report(const exabricks::Requests& requests)
+{
+  for (const std::string& what : requests.drawnWithout)
+  {
+    if (this->ReportedWarnings.insert(what).second)
+    {
+      vtkWarningWithObjectMacro(this->Self, << what);
+    }
+  }
+  return requests.refused;
+}
+
+// Reports a fault, unless the last picture had it too; or that there is none any more.
+void vtkExaBricksVolumeMapper::vtkInternals::ReportFault(const std::string& fault)
+{
+  if (!fault.empty() && fault != this->ReportedFault)
+  {
+    vtkErrorWithObjectMacro(this->Self, "The volume is not drawn: " << fault << ".");
+  }
+  this->ReportedFault = fault;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps of a picture by vtkExaBricksVolumeMapper, in their order, and what the mapper keeps
+// from one picture to the next.
+#ifndef vtkExaBricksVolumeMapperInternals_h
+#define vtkExaBricksVolumeMapperInternals_h
+
+#include "Adapters/BrickedVolume.h"
+#include "Adapters/Compositor.h"
+#include "Adapters/DrawnRenderers.h"
+#include "Adapters/PropertyInput.h"
+#include "Vulkan/VolumeRenderer.h"
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksVolumeMapper.h"
+
+#include "vtkSmartPointer.h"
+
+#include <set>
+
+class vtkVolumeProperty;
+
+struct vtkExaBricksVolumeMapper::vtkInternals
+{
+  vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
+  exabricks::VolumeRenderer Renderer;
+  exabricks::Compositor Compositor;
+  exabricks::DrawnRenderers Drawn;
+
+  // What the renderer was last given.
+  std::shared_ptr<const exabricks::BrickedVolume> Bricked;
+  bool Completed = false;                // whether its levels were completed
+  vtkVolumeProperty* Property = nullptr; // compared only, never followed
+  vtkMTimeType PropertyTime = 0;
+
+  bool ReconstructionChosen = false;
+
+  std::set<std::string> ReportedWarnings; // each is reported once
+  std::string ReportedFault;              // of the last picture: reported once as long as it stays
+  bool Aborted = false;                   // the window was told to stop in the last picture
+  std::string ConfigurationFault;         // empty if the builder has the mapper's input and array
+
+  explicit vtkInternals(vtkExaBricksVolumeMapper* self)
+    : Self(self)
+  {
+  }
+
+  // The steps of a picture, in their order.
+  std::string ConfigureBuilder();
+  std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume() const;
+  std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
+    const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  std::string CheckData(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
+  void UpdateRenderer(
+    vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
+  void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed);
+  void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
+  exabricks::Reconstruction FindReconstruction(vtkVolumeProperty* property) const;
+  exabricks::View MakeView(vtkRenderer* ren, vtkVolume* vol,
+    const exabricks::BrickedVolume& bricked, int width, int height) const;
+  std::optional<std::string> Composite(
+    vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
+
+  void DropVolume();
+  std::string Report(const exabricks::Requests& requests);
+  void ReportFault(const std::string& fault);
+
+private:
+  vtkExaBricksVolumeMapper* const Self;
+};
+
+#endif
