@@ -102,6 +102,10 @@ private:
     exabricks::BrickedVolume& bricked);
   std::string FindArray(
     vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name);
+  std::string FindSecondArray(
+    vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array);
+  std::string CheckArray(vtkDataArray* array, vtkImageData* grid, bool onPoints) const;
+  vtkSmartPointer<vtkDataArray> ToCells(vtkDataArray* array, vtkImageData* grid);
   bool UpdateStructure(const exabricks::Hierarchy& hierarchy, double& seconds);
   void ReadValues(exabricks::AMRCellSource& source, exabricks::BrickedVolume& bricked);
   exabricks::Progress ProgressBetween(double from, double to);
@@ -145,6 +149,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   bricked->origin = input.hierarchy.origin;
   bricked->spacing = input.hierarchy.spacing;
   bricked->amrLevel = input.amrLevel;
+  bricked->joined = this->Self->SecondArrayName != nullptr;
   bricked->volume.structure = this->Structure;
   this->ReadValues(source, *bricked);
   bricked->valuesTime = watch.seconds();
@@ -176,8 +181,85 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
     const int type = array->GetDataType();
     bricked.brightest = type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : array->GetDataTypeMax();
     source.setArray(static_cast<int>(b), array);
+    if (this->Self->SecondArrayName)
+    {
+      if (components > 1 && this->Self->VectorMode == DISABLED)
+      {
+        return "expected one component of array '" + bricked.arrayName + "' beside array '" +
+          this->Self->SecondArrayName + "', found " + std::to_string(components) +
+          ". Call SetVectorModeToMagnitude(), or SetVectorModeToComponent() and "
+          "SetVectorComponent()";
+      }
+      vtkSmartPointer<vtkDataArray> second;
+      const std::string missing = this->FindSecondArray(
+        input.grids[b], input.amrLevel[input.hierarchy.blocks[b].level], second);
+      if (!missing.empty())
+      {
+        return missing;
+      }
+      source.setSecondArray(static_cast<int>(b), second, this->Self->SecondComponent);
+    }
   }
   return {};
+}
+
+// The same of the second array, which belongs to the same cells or points.
+std::string vtkExaBricksBuilder::vtkInternals::FindSecondArray(
+  vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  this->Self->GetInputArrayToProcess(0, grid, association);
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataSetAttributes* data =
+    onPoints ? static_cast<vtkDataSetAttributes*>(grid->GetPointData()) : grid->GetCellData();
+  array = data->GetArray(this->Self->SecondArrayName);
+  if (!array)
+  {
+    return std::string("expected a ") + (onPoints ? "point" : "cell") + " array '" +
+      this->Self->SecondArrayName + "' in every block, found " + listArrays(grid) +
+      " in one of level " + std::to_string(amrLevel) +
+      ". Let the reader read it, or choose another one (of the mapper: SetOpacityArrayName(), "
+      "SetTransfer2DYAxisArray())";
+  }
+  const std::string fault = this->CheckArray(array, grid, onPoints);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const int components = array->GetNumberOfComponents();
+  if (components > 1 && this->Self->SecondComponent >= components)
+  {
+    return "expected a component below " + std::to_string(components) + " of array '" +
+      this->Self->SecondArrayName + "', found " + std::to_string(this->Self->SecondComponent);
+  }
+  array = onPoints ? this->ToCells(array, grid) : array;
+  return {};
+}
+
+// Whether it has a value for each point or cell; else why not.
+std::string vtkExaBricksBuilder::vtkInternals::CheckArray(
+  vtkDataArray* array, vtkImageData* grid, bool onPoints) const
+{
+  const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
+  return array->GetNumberOfTuples() == expected
+    ? ""
+    : "expected " + std::to_string(expected) + " values in array '" + nameOf(array) +
+      "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
+      std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
+}
+
+vtkSmartPointer<vtkDataArray> vtkExaBricksBuilder::vtkInternals::ToCells(
+  vtkDataArray* array, vtkImageData* grid)
+{
+  if (!this->ReportedConversion)
+  {
+    this->ReportedConversion = true;
+    vtkWarningWithObjectMacro(this->Self,
+      "'" << nameOf(array)
+          << "' is a point array: it is "
+             "converted to cells with vtkPointDataToCellData.");
+  }
+  return convertToCells(grid, array);
 }
 
 // The block's array, as one of cells. Returns why there is none that can be drawn.
@@ -192,12 +274,10 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArray(
   }
   name = nameOf(array);
   const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
-  if (array->GetNumberOfTuples() != expected)
+  const std::string fault = this->CheckArray(array, grid, onPoints);
+  if (!fault.empty())
   {
-    return "expected " + std::to_string(expected) + " values in array '" + name +
-      "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
-      std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
+    return fault;
   }
   const int components = array->GetNumberOfComponents();
   if (components > 1 && this->Self->VectorMode == COMPONENT &&
@@ -212,16 +292,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArray(
       "', found " + std::to_string(components) +
       ". Call SetVectorModeToMagnitude(), or SetVectorModeToComponent() and SetVectorComponent()";
   }
-  if (onPoints)
-  {
-    array = convertToCells(grid, array);
-    if (!this->ReportedConversion)
-    {
-      this->ReportedConversion = true;
-      vtkWarningWithObjectMacro(this->Self,
-        "'" << name << "' is a point array: it is converted to cells with vtkPointDataToCellData.");
-    }
-  }
+  array = onPoints ? this->ToCells(array, grid) : array;
   return {};
 }
 
@@ -257,7 +328,9 @@ bool vtkExaBricksBuilder::vtkInternals::UpdateStructure(
 void vtkExaBricksBuilder::vtkInternals::ReadValues(
   exabricks::AMRCellSource& source, exabricks::BrickedVolume& bricked)
 {
-  const int components = this->Self->VectorMode == DISABLED ? bricked.components : 1;
+  const int components = this->Self->SecondArrayName ? 2
+    : this->Self->VectorMode == DISABLED             ? bricked.components
+                                                     : 1;
   exabricks::Volume& volume = bricked.volume;
   for (int k = 0; k < components; ++k)
   {
@@ -306,7 +379,7 @@ vtkExaBricksBuilder::vtkExaBricksBuilder()
   this->GetExecutive()->SetOutputData(0, output);
 }
 
-vtkExaBricksBuilder::~vtkExaBricksBuilder() = default;
+vtkExaBricksBuilder::~vtkExaBricksBuilder() { this->SetSecondArrayName(nullptr); }
 
 vtkMTimeType vtkExaBricksBuilder::GetMTime()
 {
@@ -393,6 +466,9 @@ void vtkExaBricksBuilder::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VectorMode: " << GetVectorModeAsString(this->VectorMode) << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "SecondArrayName: " << (this->SecondArrayName ? this->SecondArrayName : "(none)")
+     << "\n";
+  os << indent << "SecondComponent: " << this->SecondComponent << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "NumberOfStructureBuilds: " << this->NumberOfStructureBuilds << "\n";
 }

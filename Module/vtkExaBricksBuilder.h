@@ -63,6 +63,18 @@ public:
 
   ///@{
   /**
+   * Another array, of the same cells or points, whose values are a second component: of its own
+   * name and component, -1: the magnitude of several. Then VectorMode DISABLED takes the first
+   * array's one component, and refuses several. Null (default): there is none.
+   */
+  vtkSetStringMacro(SecondArrayName);
+  vtkGetStringMacro(SecondArrayName);
+  vtkSetClampMacro(SecondComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(SecondComponent, int);
+  ///@}
+
+  ///@{
+  /**
    * The levels of the AMR that count, from the first to the last number: all by default. Others are
    * left out as if they were not there: without fine ones, coarse cells below them come to light;
    * without coarse ones, there is nothing beside the fine blocks.
@@ -94,6 +106,8 @@ protected:
 
   int VectorMode = MAGNITUDE;
   int VectorComponent = 0;
+  char* SecondArrayName = nullptr;
+  int SecondComponent = 0;
   int LevelRange[2] = { 0, VTK_INT_MAX };
   int NumberOfStructureBuilds = 0;
 

@@ -28,7 +28,12 @@ vtkExaBricksVolumeMapper::vtkExaBricksVolumeMapper()
 {
 }
 
-vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper() { this->SetDevice(nullptr); }
+vtkExaBricksVolumeMapper::~vtkExaBricksVolumeMapper()
+{
+  this->SetDevice(nullptr);
+  this->SetOpacityArrayName(nullptr);
+  this->SetTransfer2DYAxisArray(nullptr);
+}
 
 void vtkExaBricksVolumeMapper::ReportReferences(vtkGarbageCollector* collector)
 {
@@ -293,6 +298,12 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorMode: " << vtkExaBricksBuilder::GetVectorModeAsString(this->VectorMode)
      << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent
+     << "OpacityArrayName: " << (this->OpacityArrayName ? this->OpacityArrayName : "(none)")
+     << "\n";
+  os << indent << "OpacityComponent: " << this->OpacityComponent << "\n";
+  os << indent << "Transfer2DYAxisArray: "
+     << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "(none)") << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";

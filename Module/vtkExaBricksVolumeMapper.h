@@ -23,8 +23,8 @@
  * lights of the renderer with composite and iso-surface, and components (see VectorMode). Blend
  * modes: composite, maximum, minimum and average intensity, additive, iso-surface with up to 16
  * values, and slice with a vtkPlane, in world coordinates, as the property's slice function. It
- * says so when it is asked for what it does not do yet: 2-D transfer functions, colours of
- * categories (a warning, drawn without).
+ * says so when it is asked for what it does not do yet: colours of categories (a warning, drawn
+ * without).
  *
  * Clipping planes (AddClippingPlane(), SetClippingPlanes()) are in world coordinates and leave what
  * lies along their normals; with more than 32 of them, or one without a direction, nothing is
@@ -214,6 +214,31 @@ public:
 
   ///@{
   /**
+   * An array that has the opacity, beside the one with the colours: they are drawn as two dependent
+   * components, whatever the property's IndependentComponents. Of the same cells or points; of an
+   * array with several components one, or -1: their magnitude. Null (default): there is none.
+   */
+  vtkSetStringMacro(OpacityArrayName);
+  vtkGetStringMacro(OpacityArrayName);
+  vtkSetClampMacro(OpacityComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(OpacityComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The array whose values are the second variable of the property's 2-D transfer function, as of
+   * vtkGPUVolumeRayCastMapper; null (default): the magnitude of the gradient. A 2-D function
+   * (vtkVolumeProperty::SetTransferFunction2D(), SetTransferFunctionMode()) goes over the
+   * ranges of both arrays, or over gradients up to a quarter of the range over the mean width of a
+   * finest cell. Between samples both variables go evenly, and up to 32 places of the function
+   * count. Drawn with blend mode composite.
+   */
+  vtkSetStringMacro(Transfer2DYAxisArray);
+  vtkGetStringMacro(Transfer2DYAxisArray);
+  ///@}
+
+  ///@{
+  /**
    * The levels of the AMR that are drawn, from the first to the last number: all by default. See
    * vtkExaBricksBuilder::SetLevelRange().
    */
@@ -307,6 +332,9 @@ protected:
   double EarlyTerminationOpacity = 0.999;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  char* OpacityArrayName = nullptr;
+  int OpacityComponent = 0;
+  char* Transfer2DYAxisArray = nullptr;
   int LevelRange[2] = { 0, VTK_INT_MAX };
   double FinalColorWindow = 1.0;
   double FinalColorLevel = 0.5;

@@ -47,6 +47,11 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
   {
     builder->SetInputConnection(input);
   }
+  // The second variable of a 2-D function, where there is one, or the opacity.
+  const bool planar = this->Self->Transfer2DYAxisArray != nullptr;
+  builder->SetSecondArrayName(
+    planar ? this->Self->Transfer2DYAxisArray : this->Self->OpacityArrayName);
+  builder->SetSecondComponent(planar ? 0 : this->Self->OpacityComponent);
   builder->SetVectorMode(this->Self->VectorMode);
   builder->SetVectorComponent(this->Self->VectorComponent);
   builder->SetLevelRange(this->Self->LevelRange);
@@ -97,10 +102,16 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
 {
   const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->SampleDistance,
     this->Self->ErrorTolerance, { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
+  if (this->Self->Transfer2DYAxisArray &&
+    (this->Self->OpacityArrayName || !exabricks::isPlanar(this->Self, property, bricked)))
+  {
+    return "expected a 2-D transfer function, blend mode composite and no OpacityArrayName for the "
+           "Transfer2DYAxisArray. Call SetTransferFunctionMode() of the volume property, or "
+           "SetTransfer2DYAxisArray() without an array";
+  }
   const std::string refused = exabricks::checkNumbers(property, settings);
-  return refused.empty() && bricked.volume.components() > 1
-    ? this->Report(exabricks::checkMedium(this->Self, property, bricked))
-    : refused;
+  return refused.empty() ? this->Report(exabricks::checkMedium(this->Self, property, bricked))
+                         : refused;
 }
 
 // Hands the renderer what has changed. Throws std::bad_alloc.
@@ -115,9 +126,12 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   {
     this->UpdateVolume(bricked, completed);
   }
+  const bool planar = exabricks::isPlanar(this->Self, property, *bricked);
   // Nodes are normalised to the range of the data, so new data want new tables too.
-  if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
+  if (newData || planar != this->Planar || property != this->Property ||
+    property->GetMTime() > this->PropertyTime)
   {
+    this->Planar = planar;
     this->UpdateTransferFunction(property, *bricked);
   }
 }
@@ -148,16 +162,18 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked)
 {
   this->Property = property;
-  if (bricked.volume.components() > 1)
+  if (bricked.volume.components() > 1 || this->Planar)
   {
-    this->Renderer.setMedium(exabricks::makeMedium(property, bricked));
+    this->Renderer.setMedium(exabricks::makeMedium(property, bricked, this->Planar));
   }
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
     this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
   }
-  this->Renderer.setGradientOpacity(exabricks::makeGradientOpacity(property, bricked.volume));
+  // A function of gradients itself has no other one beside it, as in VTK's mapper.
+  this->Renderer.setGradientOpacity(
+    this->Planar ? std::vector<float>() : exabricks::makeGradientOpacity(property, bricked));
   // Asked afterwards, as discretised functions make tables when they are evaluated, and are
   // modified by that.
   this->PropertyTime = property->GetMTime();

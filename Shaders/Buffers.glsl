@@ -26,6 +26,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdN
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Values { float items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TransferBins { Word words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colors { vec4 items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer Picture { vec4 pixels[]; };
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Counter { uint next; };

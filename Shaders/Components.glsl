@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The components of a volume and their gradients, where the field is continuous.
 
-// Whether a component's gradient is asked for: each one's of independent components, and of dependent
-// ones that of the last, which has opacity.
+// Whether a component's gradient is asked for: each one's of independent components, of dependent ones
+// that of the last, which has opacity, and of those of a function of two variables that of the first.
 bool hasGradient(uint component)
 {
-  return needsGradient && (mixing == MIXING_INDEPENDENT || component + 1u == componentCount);
+  return needsGradient &&
+    (mixing == MIXING_INDEPENDENT || component == (mixing == MIXING_PLANAR ? 0u : componentCount - 1u));
 }
 
 // `gradients`: by half cells, a column for each component that has one.
@@ -55,6 +56,10 @@ vec4 sampleComponents(Cursor cursor, Ray ray, float distance, out mat4x3 gradien
     {
       gradients[k] = divideJets(sums[k], weights[k]).xyz;
     }
+  }
+  if (mapsGradient)
+  {
+    values.y = shareOfGradient(gradients[0]);
   }
   return values;
 }

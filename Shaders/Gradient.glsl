@@ -29,14 +29,20 @@ vec4 tentJet(vec3 q, vec3 n)
   return vec4(-sign(off) * vec3(h.y * h.z, h.x * h.z, h.x * h.y), h.x * h.y * h.z);
 }
 
+// Whether the brick's upper faces are those of the data's bounds.
+bvec3 endsWithBounds(Brick brick, vec3 n)
+{
+  return equal(brick.lo + 2 * brick.width * ivec3(n), constants.frame.size);
+}
+
 // q, moved to the box of cell centres where the brick ends with the data's bounds: in the outermost
 // half of a cell the field is constant, which would leave a dull skin on the data, and its slope is
 // taken to go on.
 vec3 insideBounds(Brick brick, vec3 q, vec3 n)
 {
   const bvec3 first = equal(brick.lo, ivec3(0));
-  const bvec3 last = equal(brick.lo + 2 * brick.width * ivec3(n), constants.frame.size);
-  return max(min(q, mix(q, n - 1.0, last)), mix(q, vec3(0.0), first));
+  q = mix(q, min(q, n - 1.0), endsWithBounds(brick, n));
+  return mix(q, max(q, vec3(0.0)), first);
 }
 
 // Basis (Basis.glsl): adds a brick's tents at q, in cells from its lower corner; derivatives by half
@@ -82,7 +88,8 @@ void addCompletedJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout 
     return;
   }
   q = insideBounds(brick, q, vec3(n));
-  const vec3 i = min(floor(q), vec3(n) - 1.0); // -1 to n - 1
+  // -1 to n - 1; behind the last centre before the bounds the slope before it goes on
+  const vec3 i = min(floor(q), vec3(n) - mix(vec3(1.0), vec3(2.0), endsWithBounds(brick, vec3(n))));
   const vec3 f = q - i;
   vec4 lower;
   vec4 upper;

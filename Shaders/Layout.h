@@ -11,12 +11,14 @@
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 namespace exabricks
 {
 namespace layout
 {
+using glm::ivec2;
 using glm::ivec3;
 using glm::ivec4;
 using glm::vec3;
@@ -63,6 +65,7 @@ EXABRICKS_CONST uint MOST_ISO_VALUES = 16u;
 EXABRICKS_CONST uint MIXING_INDEPENDENT = 0u;
 EXABRICKS_CONST uint MIXING_COLOR_AND_OPACITY = 1u;
 EXABRICKS_CONST uint MIXING_RGBA = 2u;
+EXABRICKS_CONST uint MIXING_PLANAR = 3u;
 EXABRICKS_CONST uint MOST_COMPONENTS = 4u;
 
 // A box of cells of one level. 32 bytes.
@@ -246,6 +249,9 @@ struct Frame
   // float[], of each node, or of each active box: the greatest value below it, for
   // BLENDING_MAXIMUM, or the least, for BLENDING_MINIMUM
   DeviceAddress extremes;
+
+  DeviceAddress planar; // vec4[planarSize.y][planarSize.x], for MIXING_PLANAR
+  ivec2 planarSize;
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -281,7 +287,7 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2344 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+  sizeof(Frame) == 2360 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,
   "as in GLSL's scalar layout");
 } // namespace layout

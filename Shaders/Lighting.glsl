@@ -87,12 +87,18 @@ vec4 shade(vec4 color, Spot spot, uint component)
       color.a * material.specular * specular, color.a);
 }
 
+// A gradient's magnitude, as a part of the greatest one.
+float shareOfGradient(vec3 gradient)
+{
+  return clamp(
+    length(gradient * constants.frame.gradientToMagnitude) / GREATEST_GRADIENT, 0.0, 1.0);
+}
+
 // By what the extinction is multiplied, by the function of that number. Its table goes evenly from a gradient of nothing to
 // GREATEST_GRADIENT.
 float opacityOfGradient(Spot spot, uint number)
 {
-  const float magnitude = length(spot.gradient * constants.frame.gradientToMagnitude);
-  const float x = clamp(magnitude / GREATEST_GRADIENT, 0.0, 1.0) * float(GRADIENT_OPACITIES - 1u);
+  const float x = shareOfGradient(spot.gradient) * float(GRADIENT_OPACITIES - 1u);
   const float whole = min(floor(x), float(GRADIENT_OPACITIES - 2u));
   const uint i = min(toIndex(whole), GRADIENT_OPACITIES - 2u);
   Values table = Values(constants.frame.gradientOpacity);

@@ -42,6 +42,7 @@
 #if defined(FAMILY_COMPONENTS)
 #include "Components.glsl"
 #include "AbsorbComponents.glsl"
+#include "AbsorbPlanar.glsl"
 #include "ProjectComponents.glsl"
 #include "MarchComponents.glsl"
 #elif defined(FAMILY_PROJECTION)

@@ -24,7 +24,8 @@ void addComponents(Piece piece, inout Accumulator gathered)
   }
   else if (isComposite)
   {
-    const vec4 color = absorbComponents(piece);
+    const vec4 color =
+      mixing == MIXING_PLANAR ? absorbPlanar(piece) : absorbComponents(piece);
     gathered.color += (1.0 - gathered.color.a) * color;
   }
   else
@@ -36,14 +37,15 @@ void addComponents(Piece piece, inout Accumulator gathered)
 void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
   float end = cursor.exit;
-  const vec4 values = componentsOfCell(ray, cursor, end);
+  vec4 values = componentsOfCell(ray, cursor, end);
   if (values.x >= 0.0)
   {
     const float middle = 0.5 * (cursor.entry + end);
     mat4x3 gradients = mat4x3(0.0);
     if (needsGradient)
     {
-      sampleComponents(cursor, ray, middle, gradients);
+      const vec4 sampled = sampleComponents(cursor, ray, middle, gradients);
+      values.y = mapsGradient ? sampled.y : values.y;
     }
     addComponents(Piece(values, values, (end - cursor.entry) * ray.unitsPerHalfCell, gradients,
                     spotAt(ray, cursor.brick, middle, vec3(0.0))), gathered);

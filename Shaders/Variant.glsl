@@ -65,4 +65,10 @@ const uint componentCount = 1u;
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
 // At each sample; surfaces have theirs.
+#ifdef FAMILY_COMPONENTS
+// A function of two variables, of which the second one is the gradient's magnitude.
+const bool mapsGradient = mixing == MIXING_PLANAR && componentCount == 1u;
+const bool needsGradient = isShaded || hasGradientOpacity || mapsGradient;
+#else
 const bool needsGradient = (isShaded || hasGradientOpacity) && !isIsosurface;
+#endif

@@ -256,6 +256,31 @@ struct BoxReader
     }
   }
 };
+
+// Bits are read through a buffer of the array's own, which threads cannot share.
+vtkSmartPointer<vtkDataArray> readableByThreads(vtkDataArray* array)
+{
+  if (array->GetDataType() != VTK_BIT)
+  {
+    return array;
+  }
+  auto copy = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+// `component`: as for AMRCellSource; of an array of one, that.
+void readRows(vtkDataArray* array, const std::vector<vtkIdType>& rows, std::int64_t count,
+  int component, bool needsAll, double* values)
+{
+  component = array->GetNumberOfComponents() == 1 ? 0 : component;
+  const BoxReader readBox;
+  if (!vtkArrayDispatch::Dispatch::Execute(
+        array, readBox, rows, count, component, needsAll, values))
+  {
+    readBox(array, rows, count, component, needsAll, values);
+  }
+}
 }
 
 AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels)
@@ -265,6 +290,7 @@ AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels)
 
 AMRCellSource::AMRCellSource(const AMRInput& input, int component)
   : Component(component)
+  , FirstComponent(component)
   , Sources(input.grids.size())
 {
   for (std::size_t b = 0; b < input.grids.size(); ++b)
@@ -300,13 +326,13 @@ void AMRCellSource::selectOfAll(int component)
 
 void AMRCellSource::setArray(int block, vtkDataArray* array)
 {
-  this->Sources[block].array = array;
-  if (array->GetDataType() == VTK_BIT)
-  {
-    // Bits are read through a buffer of the array's own, which threads cannot share.
-    this->Sources[block].array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    this->Sources[block].array->DeepCopy(array);
-  }
+  this->Sources[block].array = readableByThreads(array);
+}
+
+void AMRCellSource::setSecondArray(int block, vtkDataArray* array, int component)
+{
+  this->Sources[block].second = readableByThreads(array);
+  this->SecondComponent = component;
 }
 
 template <typename Visitor>
@@ -330,13 +356,22 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   rows.reserve(static_cast<std::size_t>(cells.size().y * cells.size().z));
   this->ForEachRow(source, cells, [&](vtkIdType first, std::int64_t) { rows.push_back(first); });
   const std::int64_t count = cells.size().x;
-  const int component = source.array->GetNumberOfComponents() == 1 ? 0 : this->Component;
-  const BoxReader readBox;
-  vtkDataArray* array = source.array;
-  if (!vtkArrayDispatch::Dispatch::Execute(
-        array, readBox, rows, count, component, this->NeedsAll, values))
+  if (this->NeedsAll && source.second)
   {
-    readBox(array, rows, count, component, this->NeedsAll, values);
+    const bool isSecond = this->Component == 1;
+    std::vector<double> others(rows.size() * static_cast<std::size_t>(count));
+    readRows(
+      source.array, rows, count, this->FirstComponent, false, isSecond ? others.data() : values);
+    readRows(
+      source.second, rows, count, this->SecondComponent, false, isSecond ? values : others.data());
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      values[i] = std::isfinite(others[i]) ? values[i] : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  else
+  {
+    readRows(source.array, rows, count, this->Component, this->NeedsAll, values);
   }
   if (source.ghosts)
   {

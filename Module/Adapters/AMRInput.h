@@ -50,6 +50,9 @@ public:
 
   /// The block's array, one value for each cell of its grid.
   void setArray(int block, vtkDataArray* array);
+  /// Another one: of all, what setArray() has set is component 0 then, and this is component 1.
+  /// Which of its own components: as for the constructor.
+  void setSecondArray(int block, vtkDataArray* array, int component);
 
   void read(int block, const Box& cells, double* values) const override;
   bool hasDuplicates(int block) const override;
@@ -59,6 +62,7 @@ private:
   struct Source
   {
     vtkSmartPointer<vtkDataArray> array;
+    vtkSmartPointer<vtkDataArray> second;  // null: there is none
     const unsigned char* ghosts = nullptr; // vtkGhostType of each cell, or null
     bool hasDuplicates = false;
     Int3 gridCells{ 0 }; // cells of the grid along each axis
@@ -68,6 +72,8 @@ private:
   void ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const;
 
   int Component;
+  int FirstComponent;
+  int SecondComponent = 0;
   bool NeedsAll = false; // components to be finite
   std::vector<Source> Sources;
 };

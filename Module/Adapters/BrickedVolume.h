@@ -19,6 +19,7 @@ struct BrickedVolume
   std::vector<int> amrLevel; // of each level of the hierarchy, which leaves out empty ones
   std::string arrayName;
   int components = 1;         // of the array, of which the volume may have one, or all
+  bool joined = false;        // the second component is that of another array
   double brightest = 1.0;     // what the array's type has for the brightest red, green or blue
   double structureTime = 0.0; // s
   double valuesTime = 0.0;    // s

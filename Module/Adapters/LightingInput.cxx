@@ -58,8 +58,7 @@ Light makeLight(vtkLight* from, const glm::dvec3& corner)
 
 bool isShaded(vtkVolumeProperty* property, std::size_t components)
 {
-  const std::size_t functions = property->GetIndependentComponents() ? components : 1;
-  for (std::size_t k = 0; k < std::min<std::size_t>(functions, layout::MOST_COMPONENTS); ++k)
+  for (std::size_t k = 0; k < std::min<std::size_t>(components, layout::MOST_COMPONENTS); ++k)
   {
     if (property->GetShade(static_cast<int>(k)))
     {
@@ -86,7 +85,7 @@ Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
 std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked)
 {
   vtkVolumeProperty* property = vol->GetProperty();
-  if (!isShaded(property, bricked.volume.components()))
+  if (!isShaded(property, isIndependent(property, bricked) ? bricked.volume.components() : 1))
   {
     return std::nullopt;
   }
@@ -108,11 +107,12 @@ std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const Bri
   return lighting;
 }
 
-std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Volume& volume)
+std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const BrickedVolume& bricked)
 {
+  const Volume& volume = bricked.volume;
   // Of dependent components the last one has opacity, by the first function.
   const std::size_t components = volume.components();
-  const bool independent = property->GetIndependentComponents() != 0;
+  const bool independent = isIndependent(property, bricked);
   const std::size_t functions = independent ? components : 1;
   std::vector<float> tables;
   bool any = false;

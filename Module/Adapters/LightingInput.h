@@ -26,7 +26,7 @@ std::optional<Lighting> makeLighting(
 /// empty where the property has no such function, or one that is 1 everywhere. As for VTK's
 /// mappers, gradients are the change of the value over a mean width of (here, finest) cells, up to
 /// a quarter of the range of all values.
-std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Volume& volume);
+std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const BrickedVolume& bricked);
 }
 
 #endif

@@ -2,11 +2,15 @@
 #include "Adapters/MediumInput.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace exabricks
@@ -29,6 +33,47 @@ std::string checkUnits(vtkVolumeProperty* property, int components)
   }
   return {};
 }
+
+std::string checkPlanar(vtkVolumeProperty* property)
+{
+  vtkImageData* function = property->GetTransferFunction2D();
+  vtkDataArray* colors = function ? function->GetPointData()->GetScalars() : nullptr;
+  const int* const size = function ? function->GetDimensions() : nullptr;
+  if (colors && colors->GetNumberOfComponents() == 4 && size[0] > 0 && size[1] > 0 &&
+    colors->GetNumberOfTuples() >= static_cast<vtkIdType>(size[0]) * size[1])
+  {
+    return {};
+  }
+  return std::string("expected a 2-D transfer function of four components, red, green, blue and "
+                     "opacity, found ") +
+    (colors ? std::to_string(colors->GetNumberOfComponents()) + " components" : "none") +
+    ". Call SetTransferFunction2D() of the volume property, or SetTransferFunctionMode()";
+}
+
+TransferFunction2D makePlanar(vtkImageData* from)
+{
+  vtkDataArray* colors = from->GetPointData()->GetScalars();
+  TransferFunction2D function;
+  function.width = from->GetDimensions()[0];
+  function.height = from->GetDimensions()[1];
+  function.pixels.resize(static_cast<std::size_t>(function.width) * function.height);
+  for (std::size_t i = 0; i < function.pixels.size(); ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const double part = colors->GetComponent(static_cast<vtkIdType>(i), k);
+      function.pixels[i][k] = part > 0.0 ? static_cast<float>(std::min(part, 1.0)) : 0.0f;
+    }
+  }
+  return function;
+}
+}
+
+bool isPlanar(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked)
+{
+  return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D &&
+    mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
+    (bricked.volume.components() == 1 || bricked.joined);
 }
 
 Requests checkMedium(
@@ -36,14 +81,30 @@ Requests checkMedium(
 {
   Requests requests;
   const int components = static_cast<int>(bricked.volume.components());
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    if (isPlanar(mapper, property, bricked))
+    {
+      requests.refused = checkPlanar(property);
+      return requests;
+    }
+    requests.drawnWithout.push_back(
+      "2-D transfer functions count with blend mode composite, and of one component or two arrays "
+      "(SetTransfer2DYAxisArray()): the volume is drawn with the 1-D functions.");
+  }
+  if (components == 1)
+  {
+    return requests;
+  }
   if (mapper->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     requests.refused = "expected one value of each cell for blend mode iso-surface, found " +
-      std::to_string(components) +
-      " components. Choose one, or the magnitude, by the mapper's VectorMode";
+      std::to_string(components) + " components" +
+      (bricked.joined ? " of two arrays. Set none but the first one"
+                      : ". Choose one, or the magnitude, by the mapper's VectorMode");
     return requests;
   }
-  const bool independent = property->GetIndependentComponents();
+  const bool independent = isIndependent(property, bricked);
   if (!independent && components == 3)
   {
     requests.refused = "expected 2 or 4 dependent components, found 3. Call "
@@ -67,12 +128,18 @@ Requests checkMedium(
   return requests;
 }
 
-Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked)
+Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar)
 {
   const Volume& volume = bricked.volume;
   const auto rangeOf = [&](std::size_t k) -> const Range& { return volume.valuesOf(k)->range; };
   Medium medium;
-  if (property->GetIndependentComponents())
+  if (planar)
+  {
+    medium.mixing = Mixing::Planar;
+    medium.planar = makePlanar(property->GetTransferFunction2D());
+    return medium;
+  }
+  if (isIndependent(property, bricked))
   {
     const double unit = property->GetScalarOpacityUnitDistance(0); // that of the view
     for (int k = 0; k < static_cast<int>(volume.components()); ++k)

@@ -13,12 +13,15 @@ class vtkVolumeProperty;
 
 namespace exabricks
 {
-/// Of a volume with several components.
+/// Whether the property's 2-D transfer function is drawn: of one component, or of two arrays.
+bool isPlanar(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked);
+
+/// Of a volume with several components, or a 2-D function.
 Requests checkMedium(
   vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked);
 
-/// Of a property that checkMedium() has let pass.
-Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked);
+/// Of a property that checkMedium() has let pass. `planar`: by its 2-D function.
+Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar);
 }
 
 #endif

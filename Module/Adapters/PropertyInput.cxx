@@ -36,6 +36,12 @@ bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
 }
 }
 
+bool isIndependent(vtkVolumeProperty* property, const BrickedVolume& bricked)
+{
+  return bricked.volume.components() == 1 ||
+    (property->GetIndependentComponents() != 0 && !bricked.joined);
+}
+
 bool hasGradientOpacity(vtkVolumeProperty* property, int component)
 {
   return !property->GetDisableGradientOpacity(component) &&
@@ -103,11 +109,6 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     }
   }
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
-  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
-  {
-    without(
-      "2-D transfer functions are not supported yet: the volume is drawn with the 1-D functions.");
-  }
   if (mode != vtkVolumeMapper::COMPOSITE_BLEND && hasGradientOpacity(property))
   {
     without(describeGradientOpacityElsewhere());

@@ -4,10 +4,10 @@
 #ifndef ExaBricksAdaptersPropertyInput_h
 #define ExaBricksAdaptersPropertyInput_h
 
+#include "Adapters/BrickedVolume.h"
 #include "Adapters/ColorWindow.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Core/Blending.h"
-#include "Core/Volume.h"
 
 #include <string>
 #include <vector>
@@ -33,6 +33,9 @@ struct MapperSettings
   double errorTolerance = 0.0;
   ColorWindow colors;
 };
+
+/// Whether the volume's components are drawn each by functions of its own; one is independent too.
+bool isIndependent(vtkVolumeProperty* property, const BrickedVolume& bricked);
 
 /// Whether the property's opacity of a component depends on gradients.
 bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);

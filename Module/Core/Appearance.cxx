@@ -12,11 +12,18 @@ bool showTheSame(const Visibility& a, const Visibility& b)
 
 std::string Appearance::checkMedium() const
 {
-  if (!this->hasSeveral())
+  if (!this->isMixed())
   {
     return {};
   }
   const Mixing mixing = this->Mixed.mixing;
+  if (mixing == Mixing::Planar)
+  {
+    return this->Components <= 2 && !this->Mixed.planar.empty()
+      ? ""
+      : "expected one component or two for a function of two variables, found " +
+        std::to_string(this->Components);
+  }
   const std::size_t wanted = mixing == Mixing::ColorAndOpacity ? 2
     : mixing == Mixing::RGBA                                   ? 4
                                                                : this->Components;
@@ -54,7 +61,12 @@ std::vector<TransferTable> Appearance::makeTables() const
     ? TransferTable::Amount::Extinction
     : TransferTable::Amount::Opacity;
   std::vector<TransferTable> tables;
-  if (!this->hasSeveral())
+  if (this->isMixed() && this->Mixed.mixing == Mixing::Planar)
+  {
+    tables.emplace_back(this->Mixed.planar.envelope(), amount);
+    return tables;
+  }
+  if (!this->isMixed())
   {
     tables.emplace_back(findLookup(this->Transfer, this->Blended, this->Averaged[0]), amount);
     return tables;
@@ -75,7 +87,7 @@ std::vector<TransferTable> Appearance::makeTables() const
 
 Visibility Appearance::findVisibility() const
 {
-  if (!this->hasSeveral())
+  if (!this->isMixed())
   {
     // Where values are those of cells, a surface lies at a face between two of them, of which
     // either may be in a region that does not reach the surface's value: all regions count.
@@ -95,6 +107,11 @@ Visibility Appearance::findVisibility() const
     return exabricks::findVisibility(
       function, this->Blended, this->Averaged[component], this->IsoValues);
   };
+  if (this->Mixed.mixing == Mixing::Planar)
+  {
+    shown[0] = this->Mixed.planar.envelope();
+    return shown;
+  }
   if (this->Mixed.mixing == Mixing::Independent)
   {
     for (std::size_t k = 0; k < this->Mixed.functions.size(); ++k)
@@ -114,7 +131,7 @@ Visibility Appearance::findVisibility() const
 
 Extreme Appearance::extreme() const
 {
-  return this->hasSeveral()              ? Extreme::None
+  return this->isMixed()                 ? Extreme::None
     : this->Blended == Blending::Maximum ? Extreme::Greatest
     : this->Blended == Blending::Minimum ? Extreme::Least
                                          : Extreme::None;

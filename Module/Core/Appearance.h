@@ -24,9 +24,14 @@ class Appearance
 {
 public:
   /// Of one component.
-  void setTransferFunction(const TransferFunction& transfer) { this->Transfer = transfer; }
+  void setTransferFunction(const TransferFunction& transfer)
+  {
+    this->Transfer = transfer;
+    this->Mixed.mixing =
+      this->Mixed.mixing == Mixing::Planar ? Mixing::Independent : this->Mixed.mixing;
+  }
   const TransferFunction& transferFunction() const { return this->Transfer; }
-  /// Of several, in its place.
+  /// Of several, or a planar one of one, in its place.
   void setMedium(const Medium& medium) { this->Mixed = medium; }
   const Medium& medium() const { return this->Mixed; }
 
@@ -35,7 +40,8 @@ public:
   {
     return std::exchange(this->Components, components) != components;
   }
-  bool hasSeveral() const { return this->Components > 1; }
+  /// Whether the medium counts, in place of a function of one component.
+  bool isMixed() const { return this->Components > 1 || this->Mixed.mixing == Mixing::Planar; }
   /// Why the medium does not fit so many components; empty: it does.
   std::string checkMedium() const;
 

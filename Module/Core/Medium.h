@@ -3,7 +3,7 @@
 #ifndef ExaBricksCoreMedium_h
 #define ExaBricksCoreMedium_h
 
-#include "Core/TransferFunction.h"
+#include "Core/TransferFunction2D.h"
 
 namespace exabricks
 {
@@ -12,7 +12,10 @@ enum class Mixing
 {
   Independent,     // each has a function and a weight: extinctions add up
   ColorAndOpacity, // the first component has a colour, the second one an opacity
-  RGBA             // the first three are red, green and blue, the fourth one has an opacity
+  RGBA,            // the first three are red, green and blue, the fourth one has an opacity
+  /// A function of two variables: of one component and the magnitude of its gradient, as a part of
+  /// layout::GREATEST_GRADIENT; or of two components.
+  Planar
 };
 
 struct Medium
@@ -25,6 +28,7 @@ struct Medium
   /// RGBA: from normalised values to red, green and blue in [0, 1].
   glm::dvec4 colorScale{ 1.0 };
   glm::dvec4 colorOffset{ 0.0 };
+  TransferFunction2D planar; // of Mixing::Planar, in place of functions
 };
 }
 

@@ -66,7 +66,7 @@ const Family isosurface{ MarchKdTreeIsosurfaceSpirv, MarchKdTreeIsosurfaceInt64S
 
 const Family& familyOf(const MarchVariant& variant)
 {
-  if (variant.components > 1)
+  if (variant.components > 1 || variant.mixing == Mixing::Planar)
   {
     return components;
   }

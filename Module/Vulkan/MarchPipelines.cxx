@@ -50,6 +50,8 @@ std::uint32_t numberOf(Mixing mixing)
       return layout::MIXING_COLOR_AND_OPACITY;
     case Mixing::RGBA:
       return layout::MIXING_RGBA;
+    case Mixing::Planar:
+      return layout::MIXING_PLANAR;
     default:
       return layout::MIXING_INDEPENDENT;
   }

@@ -3,6 +3,7 @@
 #ifndef ExaBricksVulkanTransferBuffers_h
 #define ExaBricksVulkanTransferBuffers_h
 
+#include "Core/TransferFunction2D.h"
 #include "Core/TransferTable.h"
 #include "Vulkan/Buffer.h"
 
@@ -15,9 +16,11 @@ class TransferBuffers
 public:
   TransferBuffers() = default;
   /// `tables`: from 1 to layout::MOST_COMPONENTS of them. `gradientOpacity`: of
-  /// layout::GRADIENT_OPACITIES gradients, or empty. Throws Failure.
+  /// layout::GRADIENT_OPACITIES gradients, or empty. `planar`: of two variables, or empty. Throws
+  /// Failure.
   TransferBuffers(const std::shared_ptr<Device>& device, std::vector<TransferTable> tables,
-    const std::vector<float>& gradientOpacity = {})
+    const std::vector<float>& gradientOpacity = {}, const TransferFunction2D& planar = {})
+    : PlanarSize(planar.width, planar.height)
   {
     TransferTable& all = tables.front(); // one after the other
     this->IntegralUnits[0] = all.integralUnit;
@@ -40,11 +43,16 @@ public:
     {
       this->GradientOpacity = makeBuffer(device, gradientOpacity, "opacity by gradients");
     }
+    if (!planar.empty())
+    {
+      this->Planar = makeBuffer(device, planar.pixels, "the function of two variables");
+    }
   }
 
   vk::DeviceSize bytes() const
   {
-    return this->Bins.bytes() + this->Knots.bytes() + this->GradientOpacity.bytes();
+    return this->Bins.bytes() + this->Knots.bytes() + this->GradientOpacity.bytes() +
+      this->Planar.bytes();
   }
   /// All that concerns the transfer functions.
   void fill(layout::Frame& frame) const
@@ -54,12 +62,16 @@ public:
     frame.integralUnit = this->IntegralUnits[0];
     frame.integralUnits = this->IntegralUnits;
     frame.gradientOpacity = this->GradientOpacity.address();
+    frame.planar = this->Planar.address();
+    frame.planarSize = this->PlanarSize;
   }
 
 private:
   Buffer Bins;
   Buffer Knots;
   Buffer GradientOpacity;
+  Buffer Planar;
+  glm::ivec2 PlanarSize{ 0 };
   glm::vec4 IntegralUnits{ 1.0f };
 };
 }

@@ -104,8 +104,8 @@ struct VolumeRenderer::Internals
     if (!this->Colors)
     {
       const Stopwatch watch;
-      this->Colors.emplace(
-        this->Session.device(), this->Appearance.makeTables(), this->GradientOpacity);
+      this->Colors.emplace(this->Session.device(), this->Appearance.makeTables(),
+        this->GradientOpacity, this->Appearance.medium().planar);
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -174,7 +174,7 @@ struct VolumeRenderer::Internals
       view.quality.jittered && view.quality.reconstruction != Reconstruction::Nearest;
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
     variant.mixing =
-      this->Appearance.hasSeveral() ? this->Appearance.medium().mixing : Mixing::Independent;
+      this->Appearance.isMixed() ? this->Appearance.medium().mixing : Mixing::Independent;
     return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
   }
 
@@ -280,7 +280,7 @@ struct VolumeRenderer::Internals
     }
     // Weights are those of absorption by one function: else all steps are equal.
     const bool weighted =
-      searched && view.blending == Blending::Composite && !this->Appearance.hasSeveral();
+      searched && view.blending == Blending::Composite && !this->Appearance.isMixed();
     this->UpdateWeights(weighted);
     this->Update();
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
@@ -309,8 +309,11 @@ struct VolumeRenderer::Internals
   std::string Check(const View& view) const
   {
     const std::string unfit = this->CheckMedium();
-    return unfit.empty() && this->Appearance.hasSeveral() && view.blending == Blending::Isosurface
+    return unfit.empty() && this->Appearance.isMixed() && view.blending == Blending::Isosurface
       ? "several components have no iso-surfaces"
+      : unfit.empty() && this->Appearance.isMixed() && view.blending != Blending::Composite &&
+        this->Appearance.medium().mixing == Mixing::Planar
+      ? "functions of two variables are drawn by absorption alone"
       : unfit;
   }
 

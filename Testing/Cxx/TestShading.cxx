@@ -98,6 +98,18 @@ int TestShading(int, char*[])
   shows(1.0, 0.0, "from that side, two-sided");
   side->SetIntensity(0.5);
   shows(0.5, 0.0, "half as bright");
+  // In the outermost half of a cell slopes go on: there is no dull skin on any side of the data.
+  for (const int reconstruction :
+    { vtkExaBricksVolumeMapper::BASIS, vtkExaBricksVolumeMapper::COMPLETED })
+  {
+    stage.mapper->SetReconstruction(reconstruction);
+    const test::Picture toTheEdges(stage.window);
+    for (const int x : { 0, 1, 48, 49 })
+    {
+      checks.Near(toTheEdges.At(x, 40)[0], toTheEdges.At(25, 40)[0], 1.5 * test::OneStep,
+        "at " + std::to_string(x) + " of 50");
+    }
+  }
   // Half way from the side to the eye, it is reflected to the other side; the headlight too is
   // there.
   stage.mapper->SetInputData(makeSlope(2));

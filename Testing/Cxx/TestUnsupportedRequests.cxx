@@ -6,7 +6,6 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkImageData.h"
 #include "vtkMultiVolume.h"
 #include "vtkShaderProperty.h"
 #include "vtkStringArray.h"
@@ -78,16 +77,6 @@ int TestUnsupportedRequests(int, char*[])
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
     checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
   };
-  warnsOnce("2-D transfer functions",
-    [&]
-    {
-      vtkNew<vtkImageData> table;
-      table->SetDimensions(2, 2, 1);
-      table->AllocateScalars(VTK_FLOAT, 4);
-      property->SetTransferFunction2D(table);
-      property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
-    });
-  property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   warnsOnce("Replacements in VTK's shaders",
     [&]
     {

@@ -80,7 +80,9 @@ private:
   // The component of which a function of opacity is.
   std::size_t ComponentOf(std::size_t function) const
   {
-    return this->Independent ? function : this->Components.size() - 1;
+    return this->Independent                 ? function
+      : this->Looks.mixing == Mixing::Planar ? 0
+                                             : this->Components.size() - 1;
   }
 
   bool Sample(const glm::dvec3& place, std::vector<double>& values) const
@@ -114,6 +116,21 @@ private:
     return color;
   }
 
+  // By two components, or by one and its gradient.
+  glm::dvec4 LookUpPlanar(const std::vector<double>& values, const glm::dvec3& place) const
+  {
+    double second = values.back();
+    if (values.size() == 1)
+    {
+      const Oracle& component = *this->Components[0];
+      const glm::dvec3 gradient = findGradient([&](const glm::dvec3& at)
+        { return component.sample(at, Reconstruction::Basis); },
+        this->Bounds, place);
+      second = std::min(this->Space.magnitudeOf(gradient) / layout::GREATEST_GRADIENT, 1.0);
+    }
+    return this->Looks.planar.evaluate(values[0], second);
+  }
+
   double WeightOf(std::size_t function) const
   {
     return this->Independent ? this->Looks.weights[static_cast<int>(function)] : 1.0;
@@ -125,7 +142,9 @@ private:
     glm::dvec4 sum(0.0);
     for (std::size_t i = 0; i < this->Functions; ++i)
     {
-      const glm::dvec4 color = this->LookUp(values, i);
+      const glm::dvec4 color = this->Looks.mixing == Mixing::Planar
+        ? this->LookUpPlanar(values, place)
+        : this->LookUp(values, i);
       double extinction = this->WeightOf(i) * extinctionOf(color.a);
       if (!(extinction > 0.0))
       {

@@ -57,6 +57,21 @@ Medium makeMedium(Mixing mixing, int components)
     medium.weights = { 1.0, 0.4, 2.0, 0.0 };
     return medium;
   }
+  if (mixing == Mixing::Planar)
+  {
+    // Waves across a plane of values, of which some parts are transparent.
+    constexpr int Size = 16;
+    medium.planar = { Size, Size, {} };
+    for (int y = 0; y < Size; ++y)
+    {
+      for (int x = 0; x < Size; ++x)
+      {
+        medium.planar.pixels.emplace_back(0.5 + 0.5 * std::sin(0.7 * x), 0.06 * y, 1.0 - 0.06 * x,
+          std::max(0.6 * std::sin(0.4 * x + 0.3 * y), 0.0));
+      }
+    }
+    return medium;
+  }
   if (mixing == Mixing::ColorAndOpacity)
   {
     medium.functions.push_back(TransferFunction({ { 0.0, { 1.0, 0.2, 0.0, 1.0 } },
@@ -91,6 +106,7 @@ struct Request
   bool gradientOpacity = false;
   double leastDecibel = 60.0;
   double leastCoverage = 0.05;
+  bool planarByGradient = false;
 };
 
 // Red, green, blue, white light from the side, with another material for each component.
@@ -147,7 +163,7 @@ protected:
     subject.renderer.setMedium(medium);
     subject.opacityUnitDistance = UnitDistance;
     subject.reconstruction = reconstruction;
-    const bool byGradient = request.shaded || request.gradientOpacity;
+    const bool byGradient = request.shaded || request.gradientOpacity || request.planarByGradient;
     const reference::View view = byGradient
       ? subject.lookInside(Pixels / 2)
       : subject.look(
@@ -204,6 +220,16 @@ protected:
 
 TEST_P(MixesComponents, AsBruteForceDoes)
 {
+  if (this->GetParam().mixing == Mixing::Planar && this->GetParam().components == 1)
+  {
+    for (const reference::Scene& scene :
+      { reference::twoLevels(), reference::ratio4(), reference::anisotropic() })
+    {
+      this->Expect(scene, Reconstruction::Basis,
+        { "by gradients", Blending::Composite, false, false, 52.0, 0.05, true });
+    }
+    return;
+  }
   for (const reference::Scene& scene :
     { reference::twoLevels(), reference::ratio4(), reference::anisotropic(), reference::holes() })
   {
@@ -224,6 +250,10 @@ TEST_P(MixesComponents, AreShadedEachByItsGradient)
 
 TEST_P(MixesComponents, AreLessOpaqueByTheirGradients)
 {
+  if (this->GetParam().mixing == Mixing::Planar)
+  {
+    GTEST_SKIP() << "a function of two variables has gradients itself";
+  }
   for (const reference::Scene& scene : { reference::twoLevels(), reference::anisotropic() })
   {
     this->Expect(scene, Reconstruction::Basis,
@@ -233,6 +263,10 @@ TEST_P(MixesComponents, AreLessOpaqueByTheirGradients)
 
 TEST_P(MixesComponents, AreProjectedEachByItself)
 {
+  if (this->GetParam().mixing == Mixing::Planar)
+  {
+    GTEST_SKIP() << "functions of two variables are drawn by absorption alone";
+  }
   for (const reference::Scene& scene : { reference::twoLevels(), reference::holes() })
   {
     for (const Request& request :
@@ -260,7 +294,8 @@ TEST_P(MixesComponents, AreProjectedEachByItself)
 INSTANTIATE_TEST_SUITE_P(All, MixesComponents,
   testing::Values(Case{ "two independent", Mixing::Independent, 2 },
     Case{ "four independent", Mixing::Independent, 4 },
-    Case{ "colour and opacity", Mixing::ColorAndOpacity, 2 }, Case{ "RGBA", Mixing::RGBA, 4 }));
+    Case{ "colour and opacity", Mixing::ColorAndOpacity, 2 }, Case{ "RGBA", Mixing::RGBA, 4 },
+    Case{ "value and gradient", Mixing::Planar, 1 }, Case{ "two values", Mixing::Planar, 2 }));
 
 // One component twice, each half as dense, is that component.
 TEST(MixesComponents, TwoHalvesAreOneWhole)
