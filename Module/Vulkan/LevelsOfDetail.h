@@ -17,8 +17,8 @@ struct Selection
 {
   /// Empty: all regions with bricks, as wholes.
   Visibility visibility;
-  const StepWeights* weights = nullptr; // null: one cell of the finest brick everywhere
-  ActiveForm form;                      // boxes: for ray queries; else the k-d tree
+  const StepWeights* weights = nullptr;    // null: one cell of the finest brick everywhere
+  ActiveForm form{ false, Extreme::None }; // boxes: for ray queries; else the k-d tree
 };
 
 class LevelsOfDetail
