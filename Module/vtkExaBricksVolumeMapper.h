@@ -231,7 +231,8 @@ public:
    * (vtkVolumeProperty::SetTransferFunction2D(), SetTransferFunctionMode()) goes over the
    * ranges of both arrays, or over gradients up to a quarter of the range over the mean width of a
    * finest cell. Between samples both variables go evenly, and up to 32 places of the function
-   * count. Drawn with blend mode composite.
+   * count. Drawn with blend mode composite; the property's gradient opacity does not count beside
+   * it, as in VTK's mapper.
    */
   vtkSetStringMacro(Transfer2DYAxisArray);
   vtkGetStringMacro(Transfer2DYAxisArray);

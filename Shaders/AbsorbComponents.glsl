@@ -18,31 +18,19 @@ Spot spotOfComponent(Piece piece, uint component)
   return spot;
 }
 
-// Red, green and blue of dependent components, which do not absorb.
-vec3 colorOfComponents(vec4 values)
-{
-  if (mixing == MIXING_RGBA)
-  {
-    return clamp(
-      constants.frame.colorOffset + constants.frame.colorScale * values, 0.0, 1.0).rgb;
-  }
-  selectFunction(0u);
-  const TransferPart part = findPart(values.x);
-  const vec4 color = mix(part.lower, part.upper, part.fraction);
-  return color.rgb / color.a; // which is 1
-}
-
+// Mean red, green and blue between the values of dependent components, whose colours do not absorb.
 vec3 meanColorOfComponents(vec4 from, vec4 to)
 {
   if (mixing == MIXING_RGBA)
   {
-    return colorOfComponents(0.5 * (from + to));
+    return clamp(constants.frame.colorOffset + constants.frame.colorScale * (0.5 * (from + to)),
+      0.0, 1.0).rgb;
   }
   selectFunction(0u);
   const TransferPoint first = makePoint(findPart(from.x));
   const TransferPart part = findPart(to.x);
   const vec4 color = meanBetween(first, makePoint(part), vec2(from.x, to.x), part);
-  return color.rgb / color.a;
+  return color.rgb / color.a; // which is 1
 }
 
 // Functions of opacity: of which number, and of which component.

@@ -75,7 +75,7 @@ vec4 lookUpComponents(vec4 values)
   }
   if (mixing != MIXING_INDEPENDENT)
   {
-    sum *= vec4(colorOfComponents(values), 1.0);
+    sum *= vec4(meanColorOfComponents(values, values), 1.0);
   }
   return clamp(sum, 0.0, 1.0);
 }

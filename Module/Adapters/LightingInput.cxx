@@ -114,24 +114,30 @@ std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Bricke
   const std::size_t components = volume.components();
   const bool independent = isIndependent(property, bricked);
   const std::size_t functions = independent ? components : 1;
-  std::vector<float> tables;
-  bool any = false;
+  std::vector<bool> has(functions);
   for (std::size_t k = 0; k < functions; ++k)
   {
-    const int component = static_cast<int>(k);
-    const bool has = hasGradientOpacity(property, component);
-    any = any || has;
+    has[k] = hasGradientOpacity(property, static_cast<int>(k));
+  }
+  if (std::find(has.begin(), has.end(), true) == has.end())
+  {
+    return {};
+  }
+  std::vector<float> tables;
+  for (std::size_t k = 0; k < functions; ++k)
+  {
+    vtkPiecewiseFunction* function =
+      has[k] ? property->GetGradientOpacity(static_cast<int>(k)) : nullptr;
     const Range& range = volume.valuesOf(independent ? k : components - 1)->range;
     const double width = range.max > range.min ? range.max - range.min : 1.0;
     for (std::uint32_t i = 0; i < layout::GRADIENT_OPACITIES; ++i)
     {
       const double part = static_cast<double>(i) / (layout::GRADIENT_OPACITIES - 1);
       const double gradient = part * layout::GREATEST_GRADIENT * width;
-      const double opacity =
-        has ? property->GetGradientOpacity(component)->GetValue(gradient) : 1.0;
+      const double opacity = function ? function->GetValue(gradient) : 1.0;
       tables.push_back(static_cast<float>(std::clamp(opacity, 0.0, 1.0)));
     }
   }
-  return any ? tables : std::vector<float>();
+  return tables;
 }
 }

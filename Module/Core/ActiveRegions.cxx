@@ -304,6 +304,8 @@ void sortByMedianSplits(ActiveRegions& active)
     ranges.emplace_back(middle, range.second);
   }
   ActiveRegions sorted;
+  sorted.boxes.reserve(boxes.size());
+  sorted.boxExtremes.reserve(active.boxExtremes.size());
   for (const std::size_t i : order)
   {
     sorted.boxes.push_back(active.boxes[i]);

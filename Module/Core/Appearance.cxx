@@ -61,8 +61,9 @@ std::vector<TransferTable> Appearance::makeTables() const
     ? TransferTable::Amount::Extinction
     : TransferTable::Amount::Opacity;
   std::vector<TransferTable> tables;
-  if (this->isMixed() && this->Mixed.mixing == Mixing::Planar)
+  if (this->Mixed.mixing == Mixing::Planar)
   {
+    // Its march looks up the function itself.
     tables.emplace_back(this->Mixed.planar.envelope(), amount);
     return tables;
   }

@@ -27,8 +27,10 @@ public:
   void setTransferFunction(const TransferFunction& transfer)
   {
     this->Transfer = transfer;
-    this->Mixed.mixing =
-      this->Mixed.mixing == Mixing::Planar ? Mixing::Independent : this->Mixed.mixing;
+    if (this->Mixed.mixing == Mixing::Planar)
+    {
+      this->Mixed = {};
+    }
   }
   const TransferFunction& transferFunction() const { return this->Transfer; }
   /// Of several, or a planar one of one, in its place.

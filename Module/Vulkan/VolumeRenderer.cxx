@@ -309,12 +309,18 @@ struct VolumeRenderer::Internals
   std::string Check(const View& view) const
   {
     const std::string unfit = this->CheckMedium();
-    return unfit.empty() && this->Appearance.isMixed() && view.blending == Blending::Isosurface
-      ? "several components have no iso-surfaces"
-      : unfit.empty() && this->Appearance.isMixed() && view.blending != Blending::Composite &&
+    if (!unfit.empty() || !this->Appearance.isMixed())
+    {
+      return unfit;
+    }
+    if (view.blending == Blending::Isosurface)
+    {
+      return "several components have no iso-surfaces";
+    }
+    return view.blending != Blending::Composite &&
         this->Appearance.medium().mixing == Mixing::Planar
       ? "functions of two variables are drawn by absorption alone"
-      : unfit;
+      : "";
   }
 
   std::string CheckMedium() const

@@ -112,12 +112,6 @@ int TestTwoArrays(int, char*[])
 
   // The gradient of the heat alone is the same everywhere, and small.
   mapper->SetTransfer2DYAxisArray(nullptr);
-  {
-    const test::Picture p(stage.window);
-    for (int i = 0; i < 60; ++i)
-      std::cout << i << ": " << p.At(i, 30)[2] << " " << p.At(30, i)[2] << " " << p.At(i, 10)[2]
-                << "\n";
-  }
   checks.Near(test::Picture(stage.window).Coverage(), 1.0, 1e-9, "by the gradient");
   mapper->SetBlendModeToMaximumIntensity();
   test::Picture(stage.window);
