@@ -12,6 +12,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
@@ -89,6 +90,18 @@ const char* vtkExaBricksVolumeMapper::GetTraversalAsString()
   return this->Traversal == RAY_QUERY ? "RayQuery"
     : this->Traversal == KD_TREE      ? "KdTree"
                                       : "Automatic";
+}
+
+int vtkExaBricksVolumeMapper::IsRenderSupported(
+  vtkRenderWindow* window, vtkVolumeProperty* vtkNotUsed(property))
+{
+  if (!vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    return 0;
+  }
+  exabricks::VolumeRenderer& renderer = this->Internals->Renderer;
+  renderer.selectDevice(this->Device ? this->Device : "");
+  return renderer.findDevice().empty() ? 1 : 0;
 }
 
 void vtkExaBricksVolumeMapper::GetDevices(vtkStringArray* lines)

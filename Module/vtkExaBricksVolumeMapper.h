@@ -23,8 +23,8 @@
  * lights of the renderer with composite and iso-surface, and components (see VectorMode). Blend
  * modes: composite, maximum, minimum and average intensity, additive, iso-surface with up to 16
  * values, and slice with a vtkPlane, in world coordinates, as the property's slice function. It
- * says so when it is asked for what it does not do yet: colours of categories (a warning, drawn
- * without).
+ * says so when it is asked for what it does not do: an error where nothing is drawn, else a
+ * warning. Colours of categories (IndexedLookup) need the nearest reconstruction.
  *
  * Clipping planes (AddClippingPlane(), SetClippingPlanes()) are in world coordinates and leave what
  * lies along their normals; with more than 32 of them, or one without a direction, nothing is
@@ -56,7 +56,9 @@
 
 class vtkExaBricksBuilder;
 class vtkOverlappingAMR;
+class vtkRenderWindow;
 class vtkStringArray;
+class vtkVolumeProperty;
 
 namespace exabricks
 {
@@ -267,6 +269,11 @@ public:
   vtkSetStringMacro(Device);
   vtkGetStringMacro(Device);
   ///@}
+
+  /// Whether it can draw into the window, as of vtkGPUVolumeRayCastMapper: 1, if that draws with
+  /// OpenGL and the Device is there, else 0. The property does not matter: what of it cannot be
+  /// drawn is said when it is.
+  int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property);
 
   /// One line for each Vulkan device: index, name, and what it can do.
   static void GetDevices(vtkStringArray* lines);

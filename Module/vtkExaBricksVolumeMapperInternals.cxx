@@ -110,8 +110,14 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
            "SetTransfer2DYAxisArray() without an array";
   }
   const std::string refused = exabricks::checkNumbers(property, settings);
-  return refused.empty() ? this->Report(exabricks::checkMedium(this->Self, property, bricked))
-                         : refused;
+  if (!refused.empty())
+  {
+    return refused;
+  }
+  this->Report({ {},
+    exabricks::checkCategories(property, static_cast<int>(bricked.volume.components()),
+      this->FindReconstruction(property)) });
+  return this->Report(exabricks::checkMedium(this->Self, property, bricked));
 }
 
 // Hands the renderer what has changed. Throws std::bad_alloc.
@@ -127,11 +133,16 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
     this->UpdateVolume(bricked, completed);
   }
   const bool planar = exabricks::isPlanar(this->Self, property, *bricked);
+  const exabricks::ColorsOf colors =
+    this->FindReconstruction(property) == exabricks::Reconstruction::Nearest
+    ? exabricks::ColorsOf::Categories
+    : exabricks::ColorsOf::Values;
   // Nodes are normalised to the range of the data, so new data want new tables too.
-  if (newData || planar != this->Planar || property != this->Property ||
+  if (newData || planar != this->Planar || colors != this->Colors || property != this->Property ||
     property->GetMTime() > this->PropertyTime)
   {
     this->Planar = planar;
+    this->Colors = colors;
     this->UpdateTransferFunction(property, *bricked);
   }
 }
@@ -164,12 +175,13 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   this->Property = property;
   if (bricked.volume.components() > 1 || this->Planar)
   {
-    this->Renderer.setMedium(exabricks::makeMedium(property, bricked, this->Planar));
+    this->Renderer.setMedium(exabricks::makeMedium(property, bricked, this->Planar, this->Colors));
   }
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
-    this->Renderer.setTransferFunction(exabricks::makeTransferFunction(property, range));
+    this->Renderer.setTransferFunction(
+      exabricks::makeTransferFunction(property, range, this->Colors));
   }
   // A function of gradients itself has no other one beside it, as in VTK's mapper.
   this->Renderer.setGradientOpacity(

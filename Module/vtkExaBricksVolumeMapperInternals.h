@@ -27,8 +27,9 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   // What the renderer was last given.
   std::shared_ptr<const exabricks::BrickedVolume> Bricked;
-  bool Completed = false;                // whether its levels were completed
-  bool Planar = false;                   // whether it has the property's 2-D function
+  bool Completed = false; // whether its levels were completed
+  bool Planar = false;    // whether it has the property's 2-D function
+  exabricks::ColorsOf Colors = exabricks::ColorsOf::Values;
   vtkVolumeProperty* Property = nullptr; // compared only, never followed
   vtkMTimeType PropertyTime = 0;
 

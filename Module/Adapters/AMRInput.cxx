@@ -8,8 +8,11 @@
 #include "vtkCellData.h"
 #include "vtkDataArrayAccessor.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -269,6 +272,21 @@ vtkSmartPointer<vtkDataArray> readableByThreads(vtkDataArray* array)
   return copy;
 }
 
+constexpr unsigned char AnyKind = 0xff;
+
+// vtkGhostType of each cell or point; null, if none is of this kind.
+const unsigned char* findGhosts(vtkFieldData* data, vtkIdType count, unsigned char kind)
+{
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const unsigned char* first =
+    ghosts && ghosts->GetNumberOfValues() == count ? ghosts->GetPointer(0) : nullptr;
+  return first &&
+      std::any_of(first, first + count, [kind](unsigned char ghost) { return ghost & kind; })
+    ? first
+    : nullptr;
+}
+
 // `component`: as for AMRCellSource; of an array of one, that.
 void readRows(vtkDataArray* array, const std::vector<vtkIdType>& rows, std::int64_t count,
   int component, bool needsAll, double* values)
@@ -301,11 +319,11 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     grid->GetDimensions(points);
     source.gridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
     source.first = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
-    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-      grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-    if (ghosts && ghosts->GetNumberOfValues() == grid->GetNumberOfCells())
+    source.pointGhosts = findGhosts(
+      grid->GetPointData(), grid->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
+    source.ghosts = findGhosts(grid->GetCellData(), grid->GetNumberOfCells(), AnyKind);
+    if (source.ghosts)
     {
-      source.ghosts = ghosts->GetPointer(0);
       const Box& cells = input.hierarchy.blocks[b].cells;
       this->ForEachRow(source, cells,
         [&](vtkIdType first, std::int64_t count)
@@ -373,6 +391,10 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   {
     readRows(source.array, rows, count, this->Component, this->NeedsAll, values);
   }
+  if (source.pointGhosts)
+  {
+    this->HideCellsOfHiddenPoints(source, cells, values);
+  }
   if (source.ghosts)
   {
     for (const vtkIdType row : rows)
@@ -380,6 +402,33 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
       for (std::int64_t i = 0; i < count; ++i, ++values)
       {
         if (source.ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
+        {
+          *values = std::numeric_limits<double>::quiet_NaN();
+        }
+      }
+    }
+  }
+}
+
+// As vtkUniformGrid::IsCellVisible() has it: a cell shows if all of its points do.
+void AMRCellSource::HideCellsOfHiddenPoints(
+  const Source& source, const Box& cells, double* values) const
+{
+  const Int3 points = source.gridCells + Int3(1);
+  const std::array<std::int64_t, 8> corners{ 0, 1, points.x, points.x + 1, points.x * points.y,
+    points.x * points.y + 1, points.x * (points.y + 1), points.x * (points.y + 1) + 1 };
+  for (std::int64_t z = cells.lo.z; z < cells.hi.z; ++z)
+  {
+    for (std::int64_t y = cells.lo.y; y < cells.hi.y; ++y)
+    {
+      const Int3 at = Int3(cells.lo.x, y, z) - source.first;
+      const unsigned char* lowest =
+        source.pointGhosts + (at.x + points.x * (at.y + points.y * at.z));
+      for (std::int64_t i = 0; i < cells.size().x; ++i, ++lowest, ++values)
+      {
+        if (std::any_of(corners.begin(), corners.end(),
+              [lowest](std::int64_t corner)
+              { return lowest[corner] & vtkDataSetAttributes::HIDDENPOINT; }))
         {
           *values = std::numeric_limits<double>::quiet_NaN();
         }

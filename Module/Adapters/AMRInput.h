@@ -62,14 +62,16 @@ private:
   struct Source
   {
     vtkSmartPointer<vtkDataArray> array;
-    vtkSmartPointer<vtkDataArray> second;  // null: there is none
-    const unsigned char* ghosts = nullptr; // vtkGhostType of each cell, or null
+    vtkSmartPointer<vtkDataArray> second;       // null: there is none
+    const unsigned char* ghosts = nullptr;      // vtkGhostType of each cell, or null
+    const unsigned char* pointGhosts = nullptr; // of each point, if some are hidden, or null
     bool hasDuplicates = false;
     Int3 gridCells{ 0 }; // cells of the grid along each axis
     Int3 first{ 0 };     // what to subtract from a cell of the level to get a cell of the grid
   };
   template <typename Visitor>
   void ForEachRow(const Source& source, const Box& cells, Visitor&& visit) const;
+  void HideCellsOfHiddenPoints(const Source& source, const Box& cells, double* values) const;
 
   int Component;
   int FirstComponent;

@@ -115,10 +115,6 @@ Requests checkMedium(
   requests.refused = checkUnits(property, independent ? components : 1);
   for (int k = 1; k < (independent ? components : 1); ++k)
   {
-    if (hasCategories(property, k))
-    {
-      requests.drawnWithout.push_back(describeCategories());
-    }
     if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND &&
       hasGradientOpacity(property, k))
     {
@@ -128,7 +124,8 @@ Requests checkMedium(
   return requests;
 }
 
-Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar)
+Medium makeMedium(
+  vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar, ColorsOf colors)
 {
   const Volume& volume = bricked.volume;
   const auto rangeOf = [&](std::size_t k) -> const Range& { return volume.valuesOf(k)->range; };
@@ -145,7 +142,7 @@ Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, boo
     for (int k = 0; k < static_cast<int>(volume.components()); ++k)
     {
       medium.functions.push_back(
-        makeTransferFunction(property, k, property->GetScalarOpacity(k), rangeOf(k)));
+        makeTransferFunction(property, k, property->GetScalarOpacity(k), rangeOf(k), colors));
       medium.weights[k] =
         property->GetComponentWeight(k) * unit / property->GetScalarOpacityUnitDistance(k);
     }
@@ -156,7 +153,7 @@ Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, boo
     medium.mixing = Mixing::ColorAndOpacity;
     vtkNew<vtkPiecewiseFunction> opaque;
     opaque->AddPoint(0.0, 1.0);
-    medium.functions = { makeTransferFunction(property, 0, opaque, rangeOf(0)),
+    medium.functions = { makeTransferFunction(property, 0, opaque, rangeOf(0), colors),
       makeTransferFunction(property->GetScalarOpacity(0), rangeOf(1)) };
     return medium;
   }

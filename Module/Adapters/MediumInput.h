@@ -21,7 +21,8 @@ Requests checkMedium(
   vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked);
 
 /// Of a property that checkMedium() has let pass. `planar`: by its 2-D function.
-Medium makeMedium(vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar);
+Medium makeMedium(
+  vtkVolumeProperty* property, const BrickedVolume& bricked, bool planar, ColorsOf colors);
 }
 
 #endif

@@ -34,6 +34,24 @@ bool changesOpacity(vtkPiecewiseFunction* gradientOpacity)
   }
   return gradientOpacity->GetSize() == 0 || !gradientOpacity->GetClamping();
 }
+
+bool changesShaders(vtkShaderProperty* shaders)
+{
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode();
+}
+
+// Volume mappers of earlier versions of VTK have no such setting.
+template <typename Mapper>
+auto takesNormalsFromOpacity(Mapper* mapper, int) -> decltype(mapper->GetComputeNormalFromOpacity())
+{
+  return mapper->GetComputeNormalFromOpacity();
+}
+template <typename Mapper>
+bool takesNormalsFromOpacity(Mapper*, ...)
+{
+  return false;
+}
 }
 
 bool isIndependent(vtkVolumeProperty* property, const BrickedVolume& bricked)
@@ -60,10 +78,19 @@ std::string describeGradientOpacityElsewhere()
   return "Gradient opacity counts with blend mode composite alone: the volume is drawn without it.";
 }
 
-std::string describeCategories()
+std::vector<std::string> checkCategories(
+  vtkVolumeProperty* property, int components, Reconstruction reconstruction)
 {
-  return "Colors of categories (IndexedLookup) are not supported yet: the volume is drawn with the "
-         "colors between the nodes of the color function.";
+  for (int k = 0; k < components && reconstruction != Reconstruction::Nearest; ++k)
+  {
+    if (hasCategories(property, k))
+    {
+      return { "Colors of categories (IndexedLookup) have no meaning for values between those of "
+               "cells: the volume is drawn with the colors between the nodes of the color "
+               "function. Call SetReconstructionToNearest() for the colors of categories." };
+    }
+  }
+  return {};
 }
 
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
@@ -113,15 +140,21 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   {
     without(describeGradientOpacityElsewhere());
   }
-  if (volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0)
+  if (changesShaders(volume->GetShaderProperty()))
   {
-    without(
-      "Replacements in VTK's shaders (vtkShaderProperty) are not supported yet: the volume is "
-      "drawn without them.");
+    without("There are none of VTK's shaders in which vtkShaderProperty could replace anything: "
+            "the volume is drawn without its replacements and codes.");
   }
-  if (hasCategories(property))
+  if (property->GetUseClippedVoxelIntensity())
   {
-    without(describeCategories());
+    without("Normals are those of the whole field, and nothing is shaded by a cut: "
+            "ClippedVoxelIntensity of the volume property is not supported, and the volume is "
+            "drawn without it.");
+  }
+  if (takesNormalsFromOpacity(mapper, 0))
+  {
+    without("ComputeNormalFromOpacity is not supported: the volume is shaded by the gradient of "
+            "its values, along which that of their opacity lies too.");
   }
   return requests;
 }
@@ -192,16 +225,17 @@ std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& rang
   return values;
 }
 
-TransferFunction makeTransferFunction(
-  vtkVolumeProperty* property, int component, vtkPiecewiseFunction* opacity, const Range& range)
+TransferFunction makeTransferFunction(vtkVolumeProperty* property, int component,
+  vtkPiecewiseFunction* opacity, const Range& range, ColorsOf colors)
 {
   return property->GetColorChannels(component) == 1
     ? makeTransferFunction(property->GetGrayTransferFunction(component), opacity, range)
-    : makeTransferFunction(property->GetRGBTransferFunction(component), opacity, range);
+    : makeTransferFunction(property->GetRGBTransferFunction(component), opacity, range, colors);
 }
 
-TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range)
+TransferFunction makeTransferFunction(
+  vtkVolumeProperty* property, const Range& range, ColorsOf colors)
 {
-  return makeTransferFunction(property, 0, property->GetScalarOpacity(0), range);
+  return makeTransferFunction(property, 0, property->GetScalarOpacity(0), range, colors);
 }
 }

@@ -8,6 +8,7 @@
 #include "Adapters/ColorWindow.h"
 #include "Adapters/TransferFunctionInput.h"
 #include "Core/Blending.h"
+#include "Core/View.h"
 
 #include <string>
 #include <vector>
@@ -40,9 +41,9 @@ bool isIndependent(vtkVolumeProperty* property, const BrickedVolume& bricked);
 /// Whether the property's opacity of a component depends on gradients.
 bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 
-/// Whether the property's colours of a component are those of categories, and the warning of it.
-bool hasCategories(vtkVolumeProperty* property, int component = 0);
-std::string describeCategories();
+/// Warns of colours of categories where values between those of cells are drawn.
+std::vector<std::string> checkCategories(
+  vtkVolumeProperty* property, int components, Reconstruction reconstruction);
 /// The warning of gradient opacity in other blend modes than composite.
 std::string describeGradientOpacityElsewhere();
 
@@ -60,10 +61,11 @@ AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume);
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range);
 
 /// The property's colours of a component with `opacity`, over `range` of the component's values.
-TransferFunction makeTransferFunction(
-  vtkVolumeProperty* property, int component, vtkPiecewiseFunction* opacity, const Range& range);
+TransferFunction makeTransferFunction(vtkVolumeProperty* property, int component,
+  vtkPiecewiseFunction* opacity, const Range& range, ColorsOf colors);
 /// Of component 0, with its own opacity.
-TransferFunction makeTransferFunction(vtkVolumeProperty* property, const Range& range);
+TransferFunction makeTransferFunction(
+  vtkVolumeProperty* property, const Range& range, ColorsOf colors = ColorsOf::Values);
 }
 
 #endif

@@ -191,20 +191,27 @@ TransferFunction sampleAtBends(
 }
 }
 
-TransferFunction makeTransferFunction(
-  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity, const Range& range)
+TransferFunction makeTransferFunction(vtkColorTransferFunction* colors,
+  vtkPiecewiseFunction* opacity, const Range& range, ColorsOf meaning)
 {
   Bends bends;
   bends.add(opacity);
   vtkNew<vtkColorTransferFunction> ofValues;
-  if (colors->GetIndexedLookup())
+  if (colors->GetIndexedLookup() && meaning == ColorsOf::Values)
   {
     // A function of categories has colors for the listed values alone.
     ofValues->DeepCopy(colors);
     ofValues->IndexedLookupOff();
     colors = ofValues;
   }
-  if (auto* discretized = asDiscretized(colors))
+  if (colors->GetIndexedLookup())
+  {
+    for (vtkIdType i = 0; i < colors->GetNumberOfAnnotatedValues(); ++i)
+    {
+      bends.values.insert(colors->GetAnnotatedValue(i).ToDouble());
+    }
+  }
+  else if (auto* discretized = asDiscretized(colors))
   {
     addSteps(bends, discretized);
   }

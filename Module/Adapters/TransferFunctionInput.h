@@ -12,9 +12,16 @@ class vtkPiecewiseFunction;
 
 namespace exabricks
 {
-/// Of colours; those of categories (IndexedLookup) are taken for colours of values.
-TransferFunction makeTransferFunction(
-  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacity, const Range& range);
+/// What colours of categories (IndexedLookup) are taken for.
+enum class ColorsOf
+{
+  Values,    // between those of the nodes
+  Categories // of the annotated values alone; all others have the function's NaN colour
+};
+
+/// Of colours.
+TransferFunction makeTransferFunction(vtkColorTransferFunction* colors,
+  vtkPiecewiseFunction* opacity, const Range& range, ColorsOf meaning = ColorsOf::Values);
 
 /// Of shades of grey.
 TransferFunction makeTransferFunction(

@@ -438,6 +438,11 @@ void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
   }
 }
 
+std::string VolumeRenderer::findDevice()
+{
+  return this->Data->Run([&] { this->Data->UpdateDevice(); });
+}
+
 std::string VolumeRenderer::prepare()
 {
   const std::string unmixed = this->Data->CheckMedium();

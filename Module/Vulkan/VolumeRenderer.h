@@ -31,6 +31,8 @@ public:
   /// else the best. A change frees everything on the device used before.
   void selectDevice(const std::string& requested);
   void selectTraversal(Traversal traversal);
+  /// Makes ready the device alone.
+  std::string findDevice();
 
   /// Shares the volume; without one nothing is drawn. Another array or time step on the same
   /// structure costs an upload of its values, and a new selection of the active regions.

@@ -90,6 +90,22 @@ int TestAbsentCells(int argc, char* argv[])
     scene.Show(holes, 4.0, "value " + std::to_string(value));
   }
 
+  // Cells at a hidden point are, as vtkUniformGrid::IsCellVisible() says.
+  auto blanked = test::makeAMR(blocks, junkAbove);
+  test::forEachGrid(blanked,
+    [](unsigned int, vtkUniformGrid* grid)
+    {
+      for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+      {
+        if (grid->GetPoint(point)[2] > 4.0)
+        {
+          grid->BlankPoint(point);
+        }
+      }
+    });
+  data = scene.Show(blanked, 4.0, "hidden points");
+  checks.Equal(data->GetNumberOfAbsentCells(), 8 * 8 * 4, "cells at hidden points are absent");
+
   // Cells marked as refined (wrongly so here) are found anew from the blocks.
   auto refined = test::makeAMR(blocks, test::constant(1.0));
   test::forEachGrid(refined,

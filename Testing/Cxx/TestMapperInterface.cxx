@@ -186,6 +186,7 @@ int TestMapperInterface(int, char*[])
     checks.Expect(!mapper->GetDrawn(), "not drawn: no OpenGL");
     checks.Equal(messages.Errors().size(), 1, "errors of another kind of window");
     checks.Says(messages.TakeErrors(), { "OpenGL", "OtherWindow" }, "another kind of window");
+    checks.Equal(mapper->IsRenderSupported(otherWindow, nullptr), 0, "support without OpenGL");
     otherRenderer->SetRenderWindow(nullptr);
 
     vtkNew<vtkCallbackCommand> spoiler;
@@ -199,6 +200,17 @@ int TestMapperInterface(int, char*[])
     mapper->SelectScalarArray("value");
     checks.Equal(test::Picture(stage.window).Difference(still), 0.0, "drawn after that");
     checks.Expect(messages.Errors().empty(), "no errors after that: " + messages.TakeErrors());
+  }
+
+  // Whether it can draw at all, before anything is drawn.
+  {
+    test::Messages messages;
+    vtkNew<vtkExaBricksVolumeMapper> fresh;
+    checks.Equal(fresh->IsRenderSupported(stage.window, stage.Property()), 1, "support");
+    checks.Equal(fresh->IsRenderSupported(nullptr, nullptr), 0, "support without a window");
+    fresh->SetDevice("abacus");
+    checks.Equal(fresh->IsRenderSupported(stage.window, nullptr), 0, "support without the device");
+    checks.Expect(messages.Errors().empty(), "asking is no error: " + messages.TakeErrors());
   }
 
   // Ranges of the setters.

@@ -186,6 +186,45 @@ void checkSteps(test::Checks& checks)
   }
 }
 
+// Colors of categories: those of the annotated values alone, all others have the NaN color. Only
+// the values of cells themselves have categories: values between them keep the colors between the
+// nodes.
+void checkCategories(test::Checks& checks)
+{
+  Row row(someValues);
+  test::setConstantColor(row.stage.Property(), 0.9);
+  const vtkNew<vtkColorTransferFunction> plain;
+  const vtkNew<vtkDiscretizableColorTransferFunction> discretizable;
+  const std::vector<vtkColorTransferFunction*> functions{ plain, discretizable };
+  for (vtkColorTransferFunction* color : functions)
+  {
+    row.stage.Property()->SetColor(color);
+    addNodes(color);
+    color->SetNanColor(0.5, 0.6, 0.7);
+    for (const double value : { 0.01, 0.5, 1.7, 20.0, 120.0 })
+    {
+      color->SetAnnotation(vtkVariant(value), std::to_string(value));
+    }
+    color->IndexedLookupOn();
+    color->Build();
+    row.Check(checks, std::string("categories of a ") + color->GetClassName());
+    checks.Near(row.ColorOf(2)[0], 0.9 * test::opacityOf(0.9, 2.0), test::OneStep, "the second");
+    checks.Near(
+      row.ColorOf(3)[0], 0.5 * test::opacityOf(0.9, 2.0), test::OneStep, "of no category");
+  }
+
+  row.stage.mapper->SetReconstructionToBasis();
+  test::Messages messages;
+  row.Render();
+  checks.Says(messages.TakeWarnings(), { "Colors of categories", "SetReconstructionToNearest" },
+    "categories between cells");
+  row.stage.Property()->GetRGBTransferFunction()->IndexedLookupOff();
+  row.Check(checks, "no categories any more");
+  row.stage.Property()->GetRGBTransferFunction()->IndexedLookupOn();
+  row.stage.mapper->SetReconstructionToNearest();
+  row.Check(checks, "nearest again");
+}
+
 void checkOpacities(test::Checks& checks)
 {
   Row row(someValues);
@@ -250,6 +289,7 @@ int TestTransferFunctions(int, char*[])
   const test::KeepDisplay display;
   checkColors(checks);
   checkSteps(checks);
+  checkCategories(checks);
   checkOpacities(checks);
   checkSpike(checks);
   return checks.Status();

@@ -75,9 +75,9 @@ int TestUnsupportedRequests(int, char*[])
         test::Picture(stage.window).Center()[0], drawn, test::OneStep, "drawn without " + word);
     }
     checks.Equal(messages.Warnings().size(), 1, "warnings of " + word);
-    checks.Says(messages.TakeWarnings(), { word, "not supported yet" }, "warning of " + word);
+    checks.Says(messages.TakeWarnings(), { word, "is drawn w" }, "warning of " + word);
   };
-  warnsOnce("Replacements in VTK's shaders",
+  warnsOnce("vtkShaderProperty",
     [&]
     {
       stage.volume->GetShaderProperty()->AddFragmentShaderReplacement(
@@ -87,6 +87,18 @@ int TestUnsupportedRequests(int, char*[])
   warnsOnce(
     "Colors of categories", [&] { property->GetRGBTransferFunction()->SetIndexedLookup(true); });
   property->GetRGBTransferFunction()->SetIndexedLookup(false);
+  warnsOnce("ClippedVoxelIntensity", [&] { property->UseClippedVoxelIntensityOn(); });
+  property->UseClippedVoxelIntensityOff();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  warnsOnce("ComputeNormalFromOpacity", [&] { mapper->ComputeNormalFromOpacityOn(); });
+  mapper->ComputeNormalFromOpacityOff();
+#endif
+  {
+    test::Stage coded(test::makeAMR(test::cornerRefined(), test::constant(1.0)), 20);
+    coded.volume->GetShaderProperty()->SetFragmentShaderCode("void main() {}");
+    test::Picture(coded.window);
+    checks.Says(messages.TakeWarnings(), { "vtkShaderProperty", "without" }, "code of a shader");
+  }
 
   checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
 
