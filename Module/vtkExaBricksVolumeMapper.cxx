@@ -317,6 +317,7 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityComponent: " << this->OpacityComponent << "\n";
   os << indent << "Transfer2DYAxisArray: "
      << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "(none)") << "\n";
+  os << indent << "UseNanColor: " << this->UseNanColor << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";

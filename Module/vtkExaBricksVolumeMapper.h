@@ -242,6 +242,19 @@ public:
 
   ///@{
   /**
+   * Whether cells whose value is NaN or infinite show, each as it is, in the NanColor of the
+   * property's color function, with its NanOpacity in a unit distance, and unlit. Off by default:
+   * they are left out. Hidden cells never show. Counts with blend mode composite, one component and
+   * colors of three channels, else a warning says that it does not. No level is left out then for
+   * an ErrorTolerance.
+   */
+  vtkSetMacro(UseNanColor, bool);
+  vtkGetMacro(UseNanColor, bool);
+  vtkBooleanMacro(UseNanColor, bool);
+  ///@}
+
+  ///@{
+  /**
    * The levels of the AMR that are drawn, from the first to the last number: all by default. See
    * vtkExaBricksBuilder::SetLevelRange().
    */
@@ -343,6 +356,7 @@ protected:
   char* OpacityArrayName = nullptr;
   int OpacityComponent = 0;
   char* Transfer2DYAxisArray = nullptr;
+  bool UseNanColor = false;
   int LevelRange[2] = { 0, VTK_INT_MAX };
   double FinalColorWindow = 1.0;
   double FinalColorLevel = 0.5;

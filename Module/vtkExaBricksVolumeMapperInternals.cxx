@@ -72,7 +72,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
 {
   const vtkSmartPointer<vtkVolumeProperty> property = vol->GetProperty();
   const std::string refused = this->CheckData(property, *bricked);
-  if (bricked->volume.values->range.empty())
+  if (bricked->volume.values->range.empty() && !this->UsesNanColor(property, *bricked))
   {
     this->Report({ {}, { "No cell of the array has a finite value: nothing shows." } });
   }
@@ -113,6 +113,12 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   if (!refused.empty())
   {
     return refused;
+  }
+  if (this->Self->UseNanColor && !this->UsesNanColor(property, bricked))
+  {
+    this->Report({ {},
+      { "UseNanColor counts with blend mode composite, one component and a color function of three "
+        "channels: cells without a value are left out." } });
   }
   this->Report({ {},
     exabricks::checkCategories(property, static_cast<int>(bricked.volume.components()),
@@ -201,6 +207,14 @@ exabricks::Reconstruction vtkExaBricksVolumeMapper::vtkInternals::FindReconstruc
     : static_cast<exabricks::Reconstruction>(this->Self->Reconstruction);
 }
 
+// Whether cells whose value is not a number show.
+bool vtkExaBricksVolumeMapper::vtkInternals::UsesNanColor(
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const
+{
+  return this->Self->UseNanColor &&
+    exabricks::canUseNanColor(this->Self, property, static_cast<int>(bricked.volume.components()));
+}
+
 exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* ren, vtkVolume* vol,
   const exabricks::BrickedVolume& bricked, int width, int height) const
 {
@@ -217,6 +231,10 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
   view.averageRanges = exabricks::findAverageRanges(this->Self, bricked.volume);
   view.slicePlane = exabricks::findSlicePlane(vol, bricked);
   view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
+  if (this->UsesNanColor(vol->GetProperty(), bricked))
+  {
+    view.undefinedColor = exabricks::findNanColor(vol->GetProperty());
+  }
   view.lighting = exabricks::makeLighting(ren, vol, bricked);
   return view;
 }

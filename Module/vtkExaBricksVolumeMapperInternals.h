@@ -56,6 +56,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed);
   void UpdateTransferFunction(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
   exabricks::Reconstruction FindReconstruction(vtkVolumeProperty* property) const;
+  bool UsesNanColor(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const;
   exabricks::View MakeView(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height) const;
   std::optional<std::string> Composite(

@@ -70,6 +70,16 @@ void addConstant(float value, float units, Spot spot, inout Accumulator gathered
   }
 }
 
+// A length of the ray in a cell without a value, which has come in its place.
+void addAbsent(float value, float units, inout Accumulator gathered)
+{
+  if (showsUndefined && value == UNDEFINED)
+  {
+    const vec4 color = absorb(constants.frame.undefined, units);
+    gathered.color += (1.0 - gathered.color.a) * color;
+  }
+}
+
 // A length of the ray over which the field goes evenly from the one value to the other, from where
 // the last one ended. `isFirst`: there was none, and this is but the point where the next begins.
 void addInterval(

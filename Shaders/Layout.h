@@ -79,8 +79,10 @@ struct Brick
 };
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
 
-// Stands for the value of a cell that is absent (hidden, NaN, infinite). Values lie in [0, 1].
+// Stands for the value of a cell that is absent (hidden). Values lie in [0, 1].
 EXABRICKS_CONST float ABSENT = -1.0f;
+// The same of one whose value is undefined (NaN, infinite), which may have a colour.
+EXABRICKS_CONST float UNDEFINED = -2.0f;
 
 // A box with a fixed list of bricks: no other brick's support reaches into it. 32 bytes.
 struct Region
@@ -252,6 +254,8 @@ struct Frame
 
   DeviceAddress planar; // vec4[planarSize.y][planarSize.x], for MIXING_PLANAR
   ivec2 planarSize;
+
+  vec4 undefined; // extinction of cells whose value is undefined, times red, green, blue, 1
 };
 
 // What one dispatch marches: some rows of a picture.
@@ -287,7 +291,7 @@ static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2360 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+  sizeof(Frame) == 2376 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,
   "as in GLSL's scalar layout");
 } // namespace layout

@@ -30,6 +30,7 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   }
   else
   {
+    addAbsent(value, (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
     cursor.known = false;
   }
   endCell(end, cursor);

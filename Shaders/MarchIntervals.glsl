@@ -2,28 +2,36 @@
 // Where the field is continuous: intervals over which it is taken to go evenly from the last point to
 // the sample in the middle, and on to the next point.
 
-// Where the next interval ends. False: there is nothing up to there.
-bool findEnd(Ray ray, Cursor cursor, out float end)
+// Where the next interval ends. False: there is nothing up to there but a cell without a value, and
+// `absent` is what has come in its place.
+bool findEnd(Ray ray, Cursor cursor, out float end, out float absent)
 {
+  absent = ABSENT;
   if (!cursor.cut)
   {
     const float length = jittered && cursor.lead > 0.0 ? cursor.lead : cursor.interval;
     end = cursor.intervals == 1 ? cursor.exit : cursor.entry + length;
     return true;
   }
-  float value;
   end = cursor.exit;
-  const bool there = findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value);
+  const bool there = findCell(cursor.brick, cursor.others, ray, cursor.entry, end, absent);
   const float count = ceil((end - cursor.entry) / cursor.interval);
   end = there && count > 1.0 ? cursor.entry + (end - cursor.entry) / count : end;
   return there;
+}
+
+bool findEnd(Ray ray, Cursor cursor, out float end)
+{
+  float absent;
+  return findEnd(ray, cursor, end, absent);
 }
 
 // The next interval; at first, the point where the first one begins.
 void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
   float end;
-  const bool there = findEnd(ray, cursor, end);
+  float absent;
+  const bool there = findEnd(ray, cursor, end, absent);
   const bool first = there && !cursor.known;
   if (there)
   {
@@ -78,6 +86,10 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
       cursor.value = next;
       cursor.gradient = nextGradient;
     }
+  }
+  else
+  {
+    addAbsent(absent, (end - cursor.entry) * ray.unitsPerHalfCell, gathered);
   }
   cursor.known = there;
   if (!first)

@@ -53,6 +53,12 @@ layout(constant_id = 9) const bool hasGradientOpacity = false;
 #else
 const bool hasGradientOpacity = false;
 #endif
+// Cells whose value is undefined have a colour; else they are absent.
+#if defined(FAMILY_COMPOSITE)
+layout(constant_id = 11) const bool showsUndefined = false;
+#else
+const bool showsUndefined = false;
+#endif
 
 // Of each cell's values, and how they make one medium.
 #if defined(FAMILY_COMPONENTS)

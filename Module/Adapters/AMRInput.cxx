@@ -391,6 +391,9 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   {
     readRows(source.array, rows, count, this->Component, this->NeedsAll, values);
   }
+  // Of all values that are none, this one is for hidden cells.
+  std::replace(values, values + rows.size() * static_cast<std::size_t>(count), HiddenValue,
+    std::numeric_limits<double>::quiet_NaN());
   if (source.pointGhosts)
   {
     this->HideCellsOfHiddenPoints(source, cells, values);
@@ -403,7 +406,7 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
       {
         if (source.ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
         {
-          *values = std::numeric_limits<double>::quiet_NaN();
+          *values = HiddenValue;
         }
       }
     }
@@ -430,7 +433,7 @@ void AMRCellSource::HideCellsOfHiddenPoints(
               [lowest](std::int64_t corner)
               { return lowest[corner] & vtkDataSetAttributes::HIDDENPOINT; }))
         {
-          *values = std::numeric_limits<double>::quiet_NaN();
+          *values = HiddenValue;
         }
       }
     }

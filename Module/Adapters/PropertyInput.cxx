@@ -212,6 +212,21 @@ AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume)
   return ranges;
 }
 
+bool canUseNanColor(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components)
+{
+  return mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && components == 1 &&
+    property->GetColorChannels() == 3 &&
+    property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D;
+}
+
+glm::dvec4 findNanColor(vtkVolumeProperty* property)
+{
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  const double* const color = colors->GetNanColor();
+  return glm::clamp(glm::dvec4(color[0], color[1], color[2], colors->GetNanOpacity()),
+    glm::dvec4(0.0), glm::dvec4(1.0));
+}
+
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range)
 {
   vtkContourValues* from = property->GetIsoSurfaceValues();

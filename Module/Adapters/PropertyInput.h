@@ -57,6 +57,9 @@ std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& sett
 /// that count for the average.
 Blending findBlending(vtkVolumeMapper* mapper);
 AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume);
+/// Whether cells without a value can have the property's NaN colour, and that colour.
+bool canUseNanColor(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components);
+glm::dvec4 findNanColor(vtkVolumeProperty* property);
 /// Of the property, over `range`, in ascending order, each once.
 std::vector<double> findIsoValues(vtkVolumeProperty* property, const Range& range);
 

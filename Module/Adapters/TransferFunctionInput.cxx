@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 
 namespace exabricks
@@ -136,6 +137,12 @@ void addSteps(Bends& bends, vtkDiscretizableColorTransferFunction* function)
   }
 }
 
+// The next float above one of at least 0: devices may take denormal ones for 0.
+float nextFloat(float value)
+{
+  return std::max(std::nextafter(value, 2.0f), std::numeric_limits<float>::min());
+}
+
 // Evaluates the function at its bends. Where it jumps at one, points on both sides of it are added,
 // one float away: the device compares floats, and a value that sits on a node has to get what VTK
 // gives it there.
@@ -183,7 +190,7 @@ TransferFunction sampleAtBends(
     add(normalized, at);
     if (*bend < range.max && jumps(at, after, colorAt(std::nextafter(above, infinity))))
     {
-      add(std::nextafter(normalized, 2.0f), after);
+      add(nextFloat(normalized), after);
     }
   }
   add(static_cast<float>(range.normalize(range.max)), colorAt(range.max));

@@ -36,6 +36,7 @@ public:
     : Subject(*volume.structure)
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
+    , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
     , Ranges(ranges)
     , Components(std::move(shown))
     , Weights(weights)
@@ -94,6 +95,14 @@ private:
     return { { plane, makeLink(place, static_cast<std::uint32_t>(axis)) }, range };
   }
 
+  bool ShowsUndefined(const layout::Region& region) const
+  {
+    const auto first = this->Tree.brickLists.begin() + region.firstBrick;
+    return this->Form.undefined && !this->BrickHasUndefinedCells.empty() &&
+      std::any_of(first, first + region.brickCount,
+        [this](std::uint32_t brick) { return this->BrickHasUndefinedCells[brick] != 0; });
+  }
+
   bool ShowsRegion(std::uint32_t region) const
   {
     return std::any_of(this->Components.begin(), this->Components.end(),
@@ -123,12 +132,13 @@ private:
     {
       ++this->NextGrid;
     }
-    if (region.brickCount == 0 || !this->ShowsRegion(index))
+    const bool undefined = this->ShowsUndefined(region);
+    if (region.brickCount == 0 || (!undefined && !this->ShowsRegion(index)))
     {
       return {};
     }
     ++this->Result.regions;
-    if (this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
+    if (undefined || this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
     {
       return this->Show(region, region.lo, region.hi, this->Ranges.regions[index]);
     }
@@ -230,6 +240,7 @@ private:
   const Structure& Subject;
   const RegionTree& Tree;
   const std::vector<unsigned char>& BrickHasAbsentCells;
+  const std::vector<unsigned char>& BrickHasUndefinedCells;
   const ValueRanges& Ranges;
   const std::vector<Shown> Components;
   const StepWeights* Weights;

@@ -22,6 +22,7 @@ struct ActiveForm
 {
   bool boxes = true; // whether the boxes are listed too
   Extreme extreme = Extreme::None;
+  bool undefined = false; // whether cells show whose value is undefined
 };
 
 /// A region is active as a whole, or cut between macrocells where it shows nothing in some.

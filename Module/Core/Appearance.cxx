@@ -43,8 +43,9 @@ bool Appearance::setView(const View& view)
   const bool ofCells = view.blending == Blending::Isosurface
     ? view.quality.reconstruction == Reconstruction::Nearest
     : this->SurfacesOfCells;
-  if (view.blending == this->Blended && ranges == this->Averaged && isoValues == this->IsoValues &&
-    ofCells == this->SurfacesOfCells)
+  const bool undefined = view.blending == Blending::Composite && view.undefinedColor;
+  if (undefined == this->Undefined && view.blending == this->Blended && ranges == this->Averaged &&
+    isoValues == this->IsoValues && ofCells == this->SurfacesOfCells)
   {
     return false;
   }
@@ -52,6 +53,7 @@ bool Appearance::setView(const View& view)
   this->Averaged = ranges;
   this->IsoValues = isoValues;
   this->SurfacesOfCells = ofCells;
+  this->Undefined = undefined;
   return true;
 }
 

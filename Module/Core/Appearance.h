@@ -56,6 +56,8 @@ public:
   Visibility findVisibility() const;
   /// By which regions are passed.
   Extreme extreme() const;
+  /// Whether cells show whose value is undefined.
+  bool showsUndefined() const { return this->Undefined && !this->isMixed(); }
 
 private:
   TransferFunction Transfer;
@@ -65,6 +67,7 @@ private:
   AverageRanges Averaged = wholeAverageRanges();
   std::vector<double> IsoValues;
   bool SurfacesOfCells = false;
+  bool Undefined = false;
 };
 }
 

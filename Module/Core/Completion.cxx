@@ -319,6 +319,7 @@ std::shared_ptr<const Values> complete(const Structure& structure, const Values&
   completed->firstValue = findFirstValues(bricks, completed->layer);
   completed->normalized.resize(completed->firstValue.back());
   completed->brickHasAbsentCells.resize(bricks.size());
+  completed->brickHasUndefinedCells = values.brickHasUndefinedCells;
   std::vector<glm::ivec3> origins;
   origins.reserve(bricks.size());
   for (const Brick& brick : bricks)

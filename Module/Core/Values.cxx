@@ -39,7 +39,7 @@ public:
   void read(const Brick& brick, Scratch& scratch) const
   {
     const std::size_t n = brick.numberOfCells();
-    scratch.values.assign(n, std::numeric_limits<double>::quiet_NaN());
+    scratch.values.assign(n, HiddenValue);
     scratch.rank.assign(n, 0);
     const Box box = brick.box(this->Grid.cellWidth[brick.level]);
     std::size_t missing = n;
@@ -206,6 +206,7 @@ Values gatherValues(const Structure& structure, const CellSource& source, const 
   values.firstValue = findFirstValues(bricks, values.layer);
   values.normalized.resize(values.firstValue.back());
   values.brickHasAbsentCells.assign(bricks.size(), 0);
+  values.brickHasUndefinedCells.assign(bricks.size(), 0);
   std::atomic<std::uint64_t> absentCells{ 0 };
   const bool gathered = forEachBrick(structure, 0.5, progress,
     [&](std::size_t b, BrickReader::Scratch& scratch)
@@ -213,13 +214,19 @@ Values gatherValues(const Structure& structure, const CellSource& source, const 
       reader.read(bricks[b], scratch);
       float* to = values.normalized.data() + values.firstValue[b];
       std::uint64_t absent = 0;
+      std::uint64_t undefined = 0;
       for (const double value : scratch.values)
       {
         const bool there = std::isfinite(value);
-        *to++ = there ? static_cast<float>(values.range.normalize(value)) : layout::ABSENT;
+        const bool hidden = value == HiddenValue;
+        *to++ = there ? static_cast<float>(values.range.normalize(value))
+          : hidden    ? layout::ABSENT
+                      : layout::UNDEFINED;
         absent += !there;
+        undefined += !there && !hidden;
       }
       values.brickHasAbsentCells[b] = absent > 0;
+      values.brickHasUndefinedCells[b] = undefined > 0;
       absentCells += absent;
     });
   values.absentCells = absentCells;

@@ -19,12 +19,14 @@ struct Values
 {
   Range range;                   // of the leaf cells that have a value, as the source gave it
   std::vector<float> normalized; // brick after brick, in [0, 1] of the range, or layout::ABSENT
+                                 // or UNDEFINED
   /// Cells around each brick that have values too: 0, or 1 where levels are completed (Completion).
   int layer = 0;
   /// [bricks + 1]: where in `normalized` each brick begins, and where the last one ends.
   std::vector<std::uint64_t> firstValue;
-  std::vector<unsigned char> brickHasAbsentCells; // [brick], its layer included
-  std::uint64_t absentCells = 0;                  // leaf cells without a value
+  std::vector<unsigned char> brickHasAbsentCells;    // [brick], its layer included
+  std::vector<unsigned char> brickHasUndefinedCells; // [brick]; empty: none has
+  std::uint64_t absentCells = 0;                     // leaf cells without a value
   ValueRanges ranges;
 
   /// The values of a brick and its layer, [z][y][x].
@@ -36,7 +38,7 @@ struct Values
   {
     return this->normalized.capacity() * sizeof(float) +
       this->firstValue.capacity() * sizeof(std::uint64_t) + this->brickHasAbsentCells.capacity() +
-      this->ranges.bytes();
+      this->brickHasUndefinedCells.capacity() + this->ranges.bytes();
   }
 };
 

@@ -81,6 +81,9 @@ struct View
   std::vector<double> isoValues; // normalised, ascending, for Blending::Isosurface
   /// For Blending::Slice: as the planes of the cutaway.
   glm::dvec4 slicePlane{ 0.0, 0.0, 1.0, 0.0 };
+  /// For Blending::Composite of one component: how cells look whose value is undefined, red, green,
+  /// blue and the opacity of the unit distance, in [0, 1]; none: they are absent.
+  std::optional<glm::dvec4> undefinedColor;
   std::optional<Lighting> lighting; // none: colours are those of the transfer function
 };
 
@@ -108,7 +111,8 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
     a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
-    a.slicePlane == b.slicePlane && a.lighting == b.lighting;
+    a.slicePlane == b.slicePlane && a.undefinedColor == b.undefinedColor &&
+    a.lighting == b.lighting;
 }
 }
 

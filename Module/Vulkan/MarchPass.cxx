@@ -193,6 +193,12 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
   frame.hasDepth = view.target.depth != nullptr;
   fillCutaway(frame, view.cutaway, fromHalfCells);
   frame.slicePlane = toPlane(view.slicePlane, fromHalfCells);
+  if (view.undefinedColor)
+  {
+    const double extinction =
+      std::min(-std::log1p(-view.undefinedColor->a), double(layout::DENSEST));
+    frame.undefined = extinction * glm::dvec4(glm::dvec3(*view.undefinedColor), 1.0);
+  }
 }
 }
 }

@@ -37,7 +37,8 @@ struct VolumeRenderer::Internals
   vulkan::Selection MakeSelection() const
   {
     return { this->Visibility, this->Weights ? &*this->Weights : nullptr,
-      { this->Measured.traversal == Traversal::RayQuery, this->Appearance.extreme() } };
+      { this->Measured.traversal == Traversal::RayQuery, this->Appearance.extreme(),
+        this->Appearance.showsUndefined() } };
   }
 
   // What was chosen for an error no longer holds.
@@ -172,6 +173,7 @@ struct VolumeRenderer::Internals
     variant.cropped = view.cutaway.cropping.has_value();
     variant.jittered =
       view.quality.jittered && view.quality.reconstruction != Reconstruction::Nearest;
+    variant.showsUndefined = this->Appearance.showsUndefined();
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
     variant.mixing =
       this->Appearance.isMixed() ? this->Appearance.medium().mixing : Mixing::Independent;
@@ -247,13 +249,15 @@ struct VolumeRenderer::Internals
   void UpdateAppearance(const View& view)
   {
     const Extreme before = this->Appearance.extreme();
+    const bool showedUndefined = this->Appearance.showsUndefined();
     if (this->Appearance.setView(view))
     {
       this->Colors.reset();
       this->ForgetChoice();
       this->UpdateVisibility();
     }
-    if (this->Appearance.extreme() != before)
+    if (this->Appearance.extreme() != before ||
+      this->Appearance.showsUndefined() != showedUndefined)
     {
       this->InvalidateSelection();
     }
@@ -272,6 +276,10 @@ struct VolumeRenderer::Internals
   void Draw(View view, std::vector<glm::vec4>& picture, const Progress& progress)
   {
     this->UpdateAppearance(view);
+    if (this->Appearance.showsUndefined())
+    {
+      view.quality.levelsLeftOut = 0; // means of cells are of those with a value
+    }
     const bool searched =
       view.quality.errorTolerance > 0.0 && view.quality.reconstruction != Reconstruction::Nearest;
     if (searched)

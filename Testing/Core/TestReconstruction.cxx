@@ -45,7 +45,7 @@ void addBrick(
     const glm::ivec3 cell = glm::min(base + step, brick.cells - 1);
     const float value = values.ofBrick(
       b)[cell.x + brick.cells.x * (cell.y + static_cast<std::uint64_t>(brick.cells.y) * cell.z)];
-    if (value != layout::ABSENT)
+    if (value >= 0.0f)
     {
       brickSums.values += tent * value;
       brickSums.weights += tent;

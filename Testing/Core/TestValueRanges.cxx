@@ -25,7 +25,7 @@ TEST(ValueRanges, AreThoseOfTheCellsWhoseTentsReachIntoTheRegion)
         const std::int64_t width = built.width(brick);
         const Int3 lo = (corner - built.tree().bounds.lo) * std::int64_t(2);
         const Box tent{ lo - width, lo + 3 * width };
-        for (std::size_t r = 0; r < expected.size() && values.normalized[i] != layout::ABSENT; ++r)
+        for (std::size_t r = 0; r < expected.size() && values.normalized[i] >= 0.0f; ++r)
         {
           const layout::Region& region = built.tree().regions[r];
           if (region.brickCount > 0 && tent.intersects({ Int3(region.lo), Int3(region.hi) }))
@@ -71,7 +71,7 @@ TEST(ValueRanges, OfMacrocellsAreThoseOfTheCellsWhoseTentsReachIntoThem)
           const std::int64_t width = built.width(brick);
           const Int3 lo = (corner - built.tree().bounds.lo) * std::int64_t(2);
           const Box tent{ lo - width, lo + 3 * width };
-          for (std::size_t k = 0; k < boxes.size() && values.normalized[i] != layout::ABSENT; ++k)
+          for (std::size_t k = 0; k < boxes.size() && values.normalized[i] >= 0.0f; ++k)
           {
             if (tent.intersects(boxes[k]))
             {

@@ -140,8 +140,9 @@ TEST(Values, AreTheSourcesInBrickOrder)
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
       ASSERT_EQ(values.normalized[i],
-        std::isfinite(expected[i]) ? static_cast<float>(range.normalize(expected[i]))
-                                   : layout::ABSENT);
+        std::isfinite(expected[i])     ? static_cast<float>(range.normalize(expected[i]))
+          : expected[i] == HiddenValue ? layout::ABSENT
+                                       : layout::UNDEFINED);
     }
   }
 }
@@ -156,17 +157,20 @@ TEST(Values, SayWhichBricksHaveAbsentCells)
     {
       const auto first = values.normalized.begin() + values.firstValue[b];
       const auto last = first + built.bricks()[b].numberOfCells();
-      ASSERT_EQ(values.brickHasAbsentCells[b] != 0, std::count(first, last, layout::ABSENT) > 0);
+      const auto undefined = std::count(first, last, layout::UNDEFINED);
+      ASSERT_EQ(values.brickHasUndefinedCells[b] != 0, undefined > 0);
+      ASSERT_EQ(values.brickHasAbsentCells[b] != 0,
+        undefined + std::count(first, last, layout::ABSENT) > 0);
     }
   }
 }
 
 TEST(Values, CountCellsThatAreNotFiniteAsAbsent)
 {
-  const Values values = gatherRow({ 1.0, notANumber, 2.0, infinity, -infinity, 3.0 }).values;
+  const Values values = gatherRow({ 1.0, notANumber, 2.0, infinity, HiddenValue, 3.0 }).values;
   EXPECT_EQ(values.absentCells, 3u);
   EXPECT_EQ(values.normalized,
-    (std::vector<float>{ 0.0f, layout::ABSENT, 0.5f, layout::ABSENT, layout::ABSENT, 1.0f }));
+    (std::vector<float>{ 0.0f, layout::UNDEFINED, 0.5f, layout::UNDEFINED, layout::ABSENT, 1.0f }));
 }
 
 TEST(Values, HaveAnEmptyRangeWhenAllAreAbsent)
@@ -174,7 +178,7 @@ TEST(Values, HaveAnEmptyRangeWhenAllAreAbsent)
   const Values values = gatherRow({ notANumber, notANumber }).values;
   EXPECT_TRUE(values.range.empty());
   EXPECT_EQ(values.absentCells, 2u);
-  EXPECT_EQ(values.normalized, std::vector<float>(2, layout::ABSENT));
+  EXPECT_EQ(values.normalized, std::vector<float>(2, layout::UNDEFINED));
 }
 
 TEST(Values, PreferRealCellsToDuplicatesInEitherOrder)
