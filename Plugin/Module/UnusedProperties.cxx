@@ -23,7 +23,7 @@ const struct
   { "Shade", "switch Shading on" },
   { "MapScalars", "values are always mapped to colors" },
   { "MultiComponentsMapping",
-    "choose a component or the magnitude in the color map, or switch DependentComponents on" },
+    "choose a component or the magnitude in the color map, or set Components to Dependent" },
   { "BlockSelectors", "all blocks are drawn" },
   { "BlockColors", "all blocks have the colors of the color map" },
   { "BlockOpacities", "all blocks have the opacities of the opacity function" },

@@ -207,12 +207,37 @@ bool vtkExaBricksRepresentation::SelectArray(vtkOverlappingAMR* amr)
   const bool component = color->GetVectorMode() == vtkScalarsToColors::COMPONENT;
   vtkDataArray* array = exabricks::getFirstBlock(amr)->GetAttributes(association)->GetArray(name);
   const int components = array ? array->GetNumberOfComponents() : 1;
-  const bool dependent = this->DependentComponents && (components == 2 || components == 4);
-  this->Mapper->SetVectorMode(dependent ? vtkExaBricksVolumeMapper::DISABLED
-      : component                       ? vtkExaBricksVolumeMapper::COMPONENT
-                                        : vtkExaBricksVolumeMapper::MAGNITUDE);
+  const bool each = !this->SelectSecondArray(amr, association) &&
+    ((this->Components == DEPENDENT && (components == 2 || components == 4)) ||
+      (this->Components == INDEPENDENT && components > 1 && components <= VTK_MAX_VRCOMP));
+  this->Mapper->SetVectorMode(each ? vtkExaBricksVolumeMapper::DISABLED
+      : component                  ? vtkExaBricksVolumeMapper::COMPONENT
+                                   : vtkExaBricksVolumeMapper::MAGNITUDE);
   this->Mapper->SetVectorComponent(component ? color->GetVectorComponent() : 0);
   return true;
+}
+
+bool vtkExaBricksRepresentation::SelectSecondArray(vtkOverlappingAMR* amr, int association)
+{
+  const bool wanted = this->UseSeparateOpacityArray && !this->OpacityArrayName.empty();
+  const bool fits = wanted && this->OpacityArrayAssociation == association;
+  if (wanted && !fits && !this->ReportedOpacityArray)
+  {
+    vtkWarningMacro("Expected an opacity array of the same cells or points as the array to color "
+                    "by, found '"
+      << this->OpacityArrayName
+      << "' of others. Choose another one; until then opacities are those of "
+      << "the array to color by.");
+  }
+  this->ReportedOpacityArray = wanted && !fits;
+  this->Mapper->SetOpacityArrayName(fits ? this->OpacityArrayName.c_str() : nullptr);
+  vtkDataArray* array = fits ? exabricks::getFirstBlock(amr)
+                                 ->GetAttributes(association)
+                                 ->GetArray(this->OpacityArrayName.c_str())
+                             : nullptr;
+  const bool magnitude = array && this->OpacityComponent >= array->GetNumberOfComponents();
+  this->Mapper->SetOpacityComponent(magnitude ? -1 : this->OpacityComponent);
+  return fits;
 }
 
 bool vtkExaBricksRepresentation::AddToView(vtkView* view)
@@ -274,33 +299,66 @@ void vtkExaBricksRepresentation::SetPickable(int pickable) { this->Volume->SetPi
 
 void vtkExaBricksRepresentation::SetColor(vtkColorTransferFunction* color)
 {
-  this->Property->SetColor(color);
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetColor(component, color);
+  }
 }
 
 void vtkExaBricksRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
 {
-  this->Property->SetScalarOpacity(opacity);
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetScalarOpacity(component, opacity);
+  }
 }
 
 void vtkExaBricksRepresentation::SetScalarOpacityUnitDistance(double distance)
 {
-  this->Property->SetScalarOpacityUnitDistance(distance);
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetScalarOpacityUnitDistance(component, distance);
+  }
 }
 
-void vtkExaBricksRepresentation::SetShading(bool shading) { this->Property->SetShade(shading); }
+void vtkExaBricksRepresentation::SetShading(bool shading)
+{
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetShade(component, shading);
+  }
+}
 
-void vtkExaBricksRepresentation::SetAmbient(double ambient) { this->Property->SetAmbient(ambient); }
+void vtkExaBricksRepresentation::SetAmbient(double ambient)
+{
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetAmbient(component, ambient);
+  }
+}
 
-void vtkExaBricksRepresentation::SetDiffuse(double diffuse) { this->Property->SetDiffuse(diffuse); }
+void vtkExaBricksRepresentation::SetDiffuse(double diffuse)
+{
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetDiffuse(component, diffuse);
+  }
+}
 
 void vtkExaBricksRepresentation::SetSpecular(double specular)
 {
-  this->Property->SetSpecular(specular);
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetSpecular(component, specular);
+  }
 }
 
 void vtkExaBricksRepresentation::SetSpecularPower(double power)
 {
-  this->Property->SetSpecularPower(power);
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    this->Property->SetSpecularPower(component, power);
+  }
 }
 
 void vtkExaBricksRepresentation::SetNumberOfIsosurfaceValues(int count)
@@ -318,11 +376,30 @@ void vtkExaBricksRepresentation::SetSliceFunction(vtkImplicitFunction* function)
   this->Property->SetSliceFunction(function);
 }
 
-void vtkExaBricksRepresentation::SetDependentComponents(bool dependent)
+void vtkExaBricksRepresentation::SetComponents(int components)
 {
-  this->DependentComponents = dependent;
-  this->Property->SetIndependentComponents(!dependent);
+  this->Components = components;
+  this->Property->SetIndependentComponents(components != DEPENDENT);
 }
+
+void vtkExaBricksRepresentation::SetUseSeparateOpacityArray(bool use)
+{
+  this->UseSeparateOpacityArray = use;
+}
+
+void vtkExaBricksRepresentation::SelectOpacityArray(
+  int, int, int, int association, const char* name)
+{
+  this->OpacityArrayAssociation = association;
+  this->OpacityArrayName = name ? name : "";
+}
+
+void vtkExaBricksRepresentation::SelectOpacityArrayComponent(int component)
+{
+  this->OpacityComponent = component;
+}
+
+void vtkExaBricksRepresentation::SetUseNanColor(bool use) { this->Mapper->SetUseNanColor(use); }
 
 void vtkExaBricksRepresentation::SetLevelRange(int first, int last)
 {

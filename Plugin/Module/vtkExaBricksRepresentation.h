@@ -21,6 +21,8 @@
 #include "vtkParaViewExaBricksModule.h" // for the export macro
 #include "vtkSmartPointer.h"            // for vtkSmartPointer
 
+#include <string> // for the opacity array
+
 class vtkColorTransferFunction;
 class vtkExaBricksStatistics;
 class vtkExaBricksVolume;
@@ -69,9 +71,31 @@ public:
   void SetNumberOfIsosurfaceValues(int count);
   void SetIsosurfaceValue(int number, double value);
   void SetSliceFunction(vtkImplicitFunction* function);
-  /// Whether an array of two or four components is a color with an opacity; else the color map's
-  /// choice of its components is drawn.
-  void SetDependentComponents(bool dependent);
+  ///@}
+
+  ///@{
+  /**
+   * What is drawn of an array with several components: the color map's choice of one, or their
+   * magnitude; two or four of them as a color with an opacity; or each of up to four, with the same
+   * colors and opacities.
+   */
+  enum ComponentsType
+  {
+    ONE = 0,
+    DEPENDENT = 1,
+    INDEPENDENT = 2
+  };
+  void SetComponents(int components);
+  ///@}
+
+  ///@{
+  /**
+   * An array that has the opacities, as for vtkVolumeRepresentation. The number of its components
+   * stands for their magnitude. It has to be of the same cells or points as the one to color by.
+   */
+  void SetUseSeparateOpacityArray(bool use);
+  void SelectOpacityArray(int index, int port, int connection, int association, const char* name);
+  void SelectOpacityArrayComponent(int component);
   ///@}
 
   ///@{
@@ -87,6 +111,7 @@ public:
   void SetEarlyTerminationOpacity(double opacity);
   void SetDevice(const char* device);
   void SetLevelRange(int first, int last);
+  void SetUseNanColor(bool use);
   void SetCropping(bool cropping);
   void SetCroppingRegionPlanes(
     double lowerX, double upperX, double lowerY, double upperY, double lowerZ, double upperZ);
@@ -114,6 +139,8 @@ private:
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
   bool SelectArray(vtkOverlappingAMR* amr);
+  // Hands the mapper the array with the opacities, if there is one of these cells or points.
+  bool SelectSecondArray(vtkOverlappingAMR* amr, int association);
   // Called after each picture.
   void UpdateStatistics();
 
@@ -124,7 +151,12 @@ private:
 
   vtkSmartPointer<vtkDataObject> Data; // the part that this process has
   double Bounds[6];                    // of the blocks in it
-  bool DependentComponents = false;
+  int Components = ONE;
+  bool UseSeparateOpacityArray = false;
+  std::string OpacityArrayName;
+  int OpacityArrayAssociation = 0;
+  int OpacityComponent = 0;
+  bool ReportedOpacityArray = false;
   bool ReportedNoArray = false;
   vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };

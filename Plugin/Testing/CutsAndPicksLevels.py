@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Iso-surfaces, slices, cropping, a range of levels, the material, and arrays of two components."""
+"""Iso-surfaces, slices, cropping, a range of levels, the material, arrays of two components and two arrays."""
 
 from Support import *
 
@@ -84,9 +84,64 @@ simple.ColorBy(both, ("CELLS", "both"))
 both.LookupTable = display.LookupTable
 both.ScalarOpacityFunction = display.ScalarOpacityFunction
 both.OpacityUnitDistance = 8.0
-both.DependentComponents = 1
+both.Components = "Dependent"
 # Within a step the color is a mean by itself, and not weighted with opacity.
 expect_alike(picture(view, "dependent"), whole, 40.0, "the same array as color and as opacity")
-both.DependentComponents = 0
+both.Components = "Independent"
+twice = picture(view, "independent")
+both.Components = "One"
 expect_different(picture(view, "magnitude"), whole, 45.0, "the magnitude of both")
+expect_different(twice, whole, 45.0, "both added up")
+display.OpacityUnitDistance = 4.0
+simple.Hide(pair, view)
+simple.Show(scene, view)
+expect_alike(twice, picture(view, "dense"), 60.0, "one of twice the density")
+display.OpacityUnitDistance = 8.0
+
+# Colors of one array, opacities of another: of one component, or of the magnitude of several.
+display.UseSeparateOpacityArray = 1
+display.OpacityArrayName = ["CELLS", "value"]
+expect_alike(picture(view, "sameOpacity"), whole, 40.0, "the same array for both")
+simple.Hide(scene, view)
+simple.Show(pair, view)
+simple.ColorBy(both, ("CELLS", "value"))
+both.LookupTable = display.LookupTable
+both.ScalarOpacityFunction = display.ScalarOpacityFunction
+both.UseSeparateOpacityArray = 1
+both.OpacityArrayName = ["CELLS", "both"]
+both.OpacityComponent = 1
+expect_alike(picture(view, "secondOpacity"), whole, 40.0, "the second component as opacity")
+both.OpacityComponent = 2
+expect_different(picture(view, "magnitudeOpacity"), whole, 45.0, "the magnitude as opacity")
+both.UseSeparateOpacityArray = 0
+expect_alike(picture(view, "noSecondArray"), whole, 60.0, "no other array")
+collector.expect_silence()
+
+# Cells without a value, in the color map's color of them.
+holes = simple.ProgrammableFilter(Input=scene, CopyArrays=1)
+holes.Script = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+output = self.GetOutputDataObject(0)
+output.ShallowCopy(self.GetInputDataObject(0, 0))
+place = output.NewIterator()
+place.InitTraversal()
+while not place.IsDoneWithTraversal():
+    cells = place.GetCurrentDataObject().GetCellData()
+    values = vtkDoubleArray()
+    values.DeepCopy(cells.GetArray("value"))
+    values.SetName("value")
+    for i in range(0, values.GetNumberOfTuples(), 2):
+        values.SetValue(i, float("nan"))
+    cells.AddArray(values)
+    place.GoToNextItem()
+"""
+simple.Hide(pair, view)
+gaps = show(holes, view)
+gaps.OpacityUnitDistance = 8.0
+gaps.LookupTable.NanColor = [1.0, 1.0, 0.0]
+without = picture(view, "gaps")
+gaps.UseNanColor = 1
+filled = picture(view, "filled")
+expect_different(filled, without, 30.0, "cells without a value")
+assert drawn(filled) > drawn(without), (drawn(filled), drawn(without))
 collector.expect_silence()
