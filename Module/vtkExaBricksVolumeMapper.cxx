@@ -167,6 +167,16 @@ double vtkExaBricksVolumeMapper::GetMarchTime()
   return this->Internals->Renderer.statistics().marchTime;
 }
 
+double vtkExaBricksVolumeMapper::GetUsedImageSampleDistance()
+{
+  return this->Internals->Coarseness.imageSampleDistance;
+}
+
+double vtkExaBricksVolumeMapper::GetUsedStepGrowth()
+{
+  return this->Internals->Coarseness.stepGrowth;
+}
+
 int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
 {
   return this->Internals->Renderer.statistics().levelsLeftOut;
@@ -304,6 +314,12 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reconstruction: " << this->GetReconstructionAsString() << "\n";
   os << indent << "StepScale: " << this->StepScale << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << " ("
+     << this->MinimumImageSampleDistance << " to " << this->MaximumImageSampleDistance << ")\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "InteractiveAdjustSampleDistances: " << this->InteractiveAdjustSampleDistances
+     << "\n";
+  os << indent << "InteractiveUpdateRate: " << this->InteractiveUpdateRate << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Traversal: " << this->GetTraversalAsString() << "\n";

@@ -126,6 +126,42 @@ public:
 
   ///@{
   /**
+   * How far apart the rays of a picture are, in pixels along each of its axes, as of VTK's ray cast
+   * mappers. Default 1: one for each pixel; of 2, one for each four, between which the picture is
+   * filled in, but not across edges of opaque geometry. Where sample distances are adjusted it is
+   * chosen, from the least to the greatest one; beyond that, steps between samples grow too.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Whether image sample distance and steps are chosen so that a picture takes the time allocated
+   * to the volume (vtkProp::GetAllocatedRenderTime(), by the window's desired update rate), as of
+   * vtkSmartVolumeMapper. With InteractiveAdjustSampleDistances on (the default) they are while the
+   * window's desired update rate is at least InteractiveUpdateRate (1 by default), as it is while
+   * an interactor moves something, and not when it stands still. With it off,
+   * AutoAdjustSampleDistances decides. Levels and steps of an ErrorTolerance are then those that
+   * were chosen last. What is drawn when nothing is adjusted does not depend on what was drawn
+   * before.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkSetClampMacro(InteractiveAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(InteractiveAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(InteractiveAdjustSampleDistances, vtkTypeBool);
+  vtkSetClampMacro(InteractiveUpdateRate, double, 1.0e-10, 1.0e10);
+  vtkGetMacro(InteractiveUpdateRate, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether each pixel's samples lie elsewhere, as of vtkGPUVolumeRayCastMapper: what long steps
    * leave out is noise then, the same in each picture, and no bands. Off by default. Costs a sample
    * more in each region. Has no effect on the nearest reconstruction, which is exact, and where
@@ -321,6 +357,15 @@ public:
   double GetMarchTime();
   ///@}
 
+  ///@{
+  /**
+   * With which the last picture was drawn: the distance of its rays in pixels, and by what its
+   * steps were multiplied.
+   */
+  double GetUsedImageSampleDistance();
+  double GetUsedStepGrowth();
+  ///@}
+
   /// How many of the finest levels the last picture did without, for the ErrorTolerance.
   int GetLevelsLeftOut();
 
@@ -347,6 +392,12 @@ protected:
   int Reconstruction = BASIS;
   double StepScale = 1.0;
   double SampleDistance = 0.0;
+  float ImageSampleDistance = 1.0f;
+  float MinimumImageSampleDistance = 1.0f;
+  float MaximumImageSampleDistance = 10.0f;
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  vtkTypeBool InteractiveAdjustSampleDistances = 1;
+  double InteractiveUpdateRate = 1.0;
   bool UseJittering = false;
   double ErrorTolerance = 0.0;
   int Traversal = AUTOMATIC;

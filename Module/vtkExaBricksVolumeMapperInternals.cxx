@@ -7,6 +7,7 @@
 #include "Adapters/MediumInput.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
+#include "Core/Stopwatch.h"
 #include "vtkExaBricksData.h"
 
 #include "vtkCommand.h"
@@ -28,6 +29,19 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
     static_cast<int>(vtkExaBricksVolumeMapper::COMPLETED) ==
       static_cast<int>(exabricks::Reconstruction::Completed),
   "the mapper hands its reconstruction to the renderer");
+
+namespace
+{
+// Whether nothing was uploaded, compiled, selected or searched for a picture.
+bool madeNothing(const exabricks::VolumeRenderer::Statistics& before,
+  const exabricks::VolumeRenderer::Statistics& after)
+{
+  return before.structureUploads == after.structureUploads &&
+    before.valueUploads == after.valueUploads && before.pipelineBuilds == after.pipelineBuilds &&
+    before.colorTime == after.colorTime && before.opacityTime == after.opacityTime &&
+    (before.samplingTime == after.samplingTime || after.samplingTime == 0.0);
+}
+}
 
 // Points the builder to the mapper's input and array; returns why it cannot.
 std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
@@ -134,6 +148,10 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   this->Renderer.selectDevice(this->Self->Device ? this->Self->Device : "");
   const bool newData = bricked != this->Bricked;
   const bool completed = this->FindReconstruction(property) == exabricks::Reconstruction::Completed;
+  if (newData || property != this->Property || property->GetMTime() > this->PropertyTime)
+  {
+    this->Interactive.forget();
+  }
   if (newData || this->Completed != completed)
   {
     this->UpdateVolume(bricked, completed);
@@ -243,20 +261,92 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
 std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
 {
-  const auto makeView = [&](int width, int height)
-  { return this->MakeView(ren, vol, bricked, width, height); };
   if (ren->GetSelector())
   {
+    const auto makeView = [&](int width, int height)
+    { return this->MakeView(ren, vol, bricked, width, height); };
     return this->Compositor.drawSelection(ren, makeView, this->Renderer);
   }
+  double rays = 0.0;
+  const auto makeView = [&](int width, int height)
+  {
+    this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, width, height);
+    const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
+    rays = static_cast<double>(view.target.width) * view.target.height;
+    return view;
+  };
   const auto progress = [&](double done)
   {
     this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
     this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
     return !this->Aborted;
   };
-  return this->Compositor.draw(this->Self, ren, vol, makeView,
+  const exabricks::VolumeRenderer::Statistics before = this->Renderer.statistics();
+  const exabricks::Stopwatch watch;
+  const std::optional<std::string> fault = this->Compositor.draw(this->Self, ren, vol, makeView,
     { this->Self->FinalColorWindow, this->Self->FinalColorLevel }, this->Renderer, progress);
+  if (fault && fault->empty())
+  {
+    const exabricks::VolumeRenderer::Statistics& drawn = this->Renderer.statistics();
+    const double other = watch.seconds() - drawn.marchTime;
+    // What is made once does not count for the pictures after this one.
+    this->Interactive.measured(
+      this->Coarseness, rays, drawn.marchTime, madeNothing(before, drawn) ? other : 0.0);
+    this->InteractiveTime = this->Self->GetMTime();
+  }
+  return fault;
+}
+
+// Whether sample distances are chosen for the time allocated to the picture.
+bool vtkExaBricksVolumeMapper::vtkInternals::AdjustsSampleDistances(vtkRenderer* ren) const
+{
+  return this->Self->InteractiveAdjustSampleDistances
+    ? ren->GetRenderWindow()->GetDesiredUpdateRate() >= this->Self->InteractiveUpdateRate
+    : this->Self->AutoAdjustSampleDistances != 0;
+}
+
+exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height)
+{
+  if (!this->AdjustsSampleDistances(ren))
+  {
+    return { this->Self->ImageSampleDistance, 1.0 };
+  }
+  const double seconds = vol->GetAllocatedRenderTime();
+  const double pixels = static_cast<double>(width) * height;
+  const exabricks::InteractiveSampling::Limits limits{ this->Self->MinimumImageSampleDistance,
+    this->Self->MaximumImageSampleDistance };
+  if (this->Self->GetMTime() > this->InteractiveTime)
+  {
+    this->Interactive.forget();
+  }
+  if (!this->Interactive.knows())
+  {
+    // Few of its pixels tell how long the picture takes.
+    this->Coarseness = this->Interactive.choose(seconds, pixels, limits);
+    const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
+    std::vector<glm::vec4> picture;
+    if (this->Renderer.render(view, picture).empty())
+    {
+      this->Interactive.measured(this->Coarseness,
+        static_cast<double>(view.target.width) * view.target.height,
+        this->Renderer.statistics().marchTime, 0.0);
+      this->InteractiveTime = this->Self->GetMTime();
+    }
+  }
+  return this->Interactive.choose(seconds, pixels, limits);
+}
+
+// A view of so many pixels with the rays and steps that were chosen.
+exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeCoarseView(vtkRenderer* ren,
+  vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height) const
+{
+  const double distance = this->Coarseness.imageSampleDistance;
+  exabricks::View view = this->MakeView(ren, vol, bricked, exabricks::thinnedSize(width, distance),
+    exabricks::thinnedSize(height, distance));
+  view.quality.stepGrowth = this->Coarseness.stepGrowth;
+  view.quality.keepsSampling = this->AdjustsSampleDistances(ren);
+  return view;
 }
 
 // Gives back what was held of the former volume.

@@ -8,6 +8,7 @@
 #include "Adapters/Compositor.h"
 #include "Adapters/DrawnRenderers.h"
 #include "Adapters/PropertyInput.h"
+#include "Core/InteractiveSampling.h"
 #include "Vulkan/VolumeRenderer.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksVolumeMapper.h"
@@ -35,6 +36,10 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   bool ReconstructionChosen = false;
 
+  exabricks::InteractiveSampling Interactive;
+  vtkMTimeType InteractiveTime = 0; // of the mapper, when anything was last measured
+  exabricks::Coarseness Coarseness; // of the last picture
+
   std::set<std::string> ReportedWarnings; // each is reported once
   std::string ReportedFault;              // of the last picture: reported once as long as it stays
   bool Aborted = false;                   // the window was told to stop in the last picture
@@ -61,6 +66,12 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     const exabricks::BrickedVolume& bricked, int width, int height) const;
   std::optional<std::string> Composite(
     vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
+
+  bool AdjustsSampleDistances(vtkRenderer* ren) const;
+  exabricks::Coarseness ChooseCoarseness(vtkRenderer* ren, vtkVolume* vol,
+    const exabricks::BrickedVolume& bricked, int width, int height);
+  exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,
+    const exabricks::BrickedVolume& bricked, int width, int height) const;
 
   void DropVolume();
   std::string Report(const exabricks::Requests& requests);

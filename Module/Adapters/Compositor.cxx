@@ -12,6 +12,19 @@ namespace exabricks
 {
 namespace
 {
+Target targetOf(const Viewport& viewport)
+{
+  Target target;
+  target.width = viewport.width;
+  target.height = viewport.height;
+  return target;
+}
+
+bool isSparse(const Target& target, const Viewport& viewport)
+{
+  return target.width != viewport.width || target.height != viewport.height;
+}
+
 std::string refuse(const Viewport& viewport)
 {
   return "expected OpenGL to take a picture of " + std::to_string(viewport.width) + " x " +
@@ -45,7 +58,13 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
     return "expected OpenGL to copy the depth of a multisampled framebuffer, it refused. Call "
            "SetMultiSamples(0) of the window";
   }
-  view.target.depth = opaque == OpaqueDepth::Read ? this->Depth.data() : nullptr;
+  const bool hasDepth = opaque == OpaqueDepth::Read;
+  const bool sparse = isSparse(view.target, viewport);
+  if (sparse && hasDepth)
+  {
+    this->SparseDepth = pickDepths(this->Depth.data(), targetOf(viewport), view.target);
+  }
+  view.target.depth = !hasDepth ? nullptr : sparse ? this->SparseDepth.data() : this->Depth.data();
   const std::string fault = renderer.render(view, this->Back, progress);
   if (!fault.empty())
   {
@@ -56,7 +75,11 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
     return std::nullopt;
   }
   colors.apply(this->Back);
-  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
+  const PixelGrid size{ view.target.width, view.target.height };
+  const bool drawn = sparse && hasDepth
+    ? this->Picture.draw(window, viewport, size, this->Back, this->SparseDepth, this->Depth)
+    : this->Picture.draw(window, size, this->Back);
+  return drawn ? std::string() : refuse(viewport);
 }
 
 std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
@@ -107,7 +130,9 @@ std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
       return pixel.a > 3.0f / 255.0f ? glm::vec4(color[0], color[1], color[2], 1.0f)
                                      : glm::vec4(0.0f);
     });
-  return this->Picture.draw(window, viewport, this->Back) ? std::string() : refuse(viewport);
+  return this->Picture.draw(window, { viewport.width, viewport.height }, this->Back)
+    ? std::string()
+    : refuse(viewport);
 }
 
 // Reads the depth of geometry; outside of the area (in pixels of the window) rays end where they
@@ -149,6 +174,16 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
     return this->Peel.isFirst() ? std::make_optional<std::string>() : std::nullopt;
   }
   keepWhole(view);
+  if (isSparse(view.target, viewport))
+  {
+    for (std::vector<float>* depths : { &back.begin, &back.end, &front.begin, &front.end })
+    {
+      if (!depths->empty())
+      {
+        *depths = pickDepths(depths->data(), targetOf(viewport), view.target);
+      }
+    }
+  }
   const auto render = [&](const RayPieces& pieces, Pixels& pixels)
   {
     view.target.nearDepth = pieces.begin.data();
@@ -180,7 +215,8 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
   }
   colors.apply(this->Back);
   colors.apply(this->Front);
-  return this->Picture.draw(window, viewport, this->Peel, this->Back, this->Front)
+  return this->Picture.draw(
+           window, { view.target.width, view.target.height }, this->Peel, this->Back, this->Front)
     ? std::string()
     : refuse(viewport);
 }

@@ -19,7 +19,8 @@ class Compositor
 {
 public:
   /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
-  /// in pixels; `colors` is applied to it. Returns an empty string, or what went wrong. Returns
+  /// in pixels; where its view has fewer, the picture is filled in between them. `colors` is
+  /// applied to it. Returns an empty string, or what went wrong. Returns
   /// nothing where nothing is drawn for a good reason: `progress` gave the picture up, or it is a
   /// peel after the first one that has no use for the volume.
   std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
@@ -48,6 +49,7 @@ private:
   Pixels Back;     // the picture; of a peel, the part behind what is peeled
   Pixels Front;    // of a peel, the part before it
   std::vector<float> Depth;
+  std::vector<float> SparseDepth; // at the rays of a picture that has fewer of them than pixels
 };
 }
 

@@ -8,6 +8,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <utility>
+
 namespace exabricks
 {
 namespace
@@ -19,6 +21,36 @@ uniform sampler2D back;
 void main()
 {
   gl_FragData[0] = texture2D(back, texCoord);
+}
+)";
+
+// The four pixels of the picture around one of the viewport count by how near they are, and by how
+// like it their depths are: across an edge of geometry they are of another ray's length.
+constexpr const char* OverGeometryShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D back;
+uniform sampler2D sparseDepth;
+uniform sampler2D depth;
+void main()
+{
+  ivec2 most = textureSize(back, 0) - 1;
+  vec2 at = texCoord * vec2(most + 1) - 0.5;
+  ivec2 first = ivec2(floor(at));
+  vec2 f = at - floor(at);
+  float z = texture2D(depth, texCoord).r;
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 off = ivec2(i & 1, i >> 1);
+    ivec2 p = clamp(first + off, ivec2(0), most);
+    vec2 near = mix(1.0 - f, f, vec2(off));
+    float w = (near.x * near.y + 1e-4) / (1e-4 + abs(texelFetch(sparseDepth, p, 0).r - z));
+    sum += w * texelFetch(back, p, 0);
+    weights += w;
+  }
+  gl_FragData[0] = sum / weights;
 }
 )";
 
@@ -79,30 +111,65 @@ void OpenGLPicture::SetWindow(vtkOpenGLRenderWindow* window)
   }
 }
 
-bool OpenGLPicture::Upload(Texture& texture, const Viewport& viewport, Pixels& picture)
+bool OpenGLPicture::Upload(Texture& texture, const PixelGrid& size, int components, void* pixels)
 {
   if (!texture)
   {
     texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(this->Window);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
   }
+  // With a pixel for each of the viewport's, nothing is to be rounded.
+  const Viewport viewport = findViewport();
+  const bool sparse = size.width != viewport.width || size.height != viewport.height;
+  texture->SetMagnificationFilter(sparse ? vtkTextureObject::Linear : vtkTextureObject::Nearest);
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  if (viewport.width > largest || viewport.height > largest)
+  if (size.width > largest || size.height > largest)
   {
     return false;
   }
   noError(); // forgets the errors of calls before
-  return texture->Create2DFromRaw(static_cast<unsigned int>(viewport.width),
-           static_cast<unsigned int>(viewport.height), 4, VTK_FLOAT, picture.data()) &&
+  return texture->Create2DFromRaw(static_cast<unsigned int>(size.width),
+           static_cast<unsigned int>(size.height), components, VTK_FLOAT, pixels) &&
     noError();
 }
 
-bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, Pixels& picture)
+bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+  const PixelGrid& size, Pixels& picture, std::vector<float>& sparseDepth,
+  std::vector<float>& depth)
 {
   const OpenGLStateKeeper keeper(window->GetState());
   this->SetWindow(window);
-  if (!this->Upload(this->Back, viewport, picture))
+  if (!this->Upload(this->Back, size, 4, picture.data()) ||
+    !this->Upload(this->SparseDepth, size, 1, sparseDepth.data()) ||
+    !this->Upload(this->Depth, { viewport.width, viewport.height }, 1, depth.data()))
+  {
+    return false;
+  }
+  keeper.blendOver();
+  prepare(this->OverGeometry, window, OverGeometryShader);
+  const std::pair<const char*, vtkTextureObject*> textures[] = { { "back", this->Back },
+    { "sparseDepth", this->SparseDepth }, { "depth", this->Depth } };
+  for (const auto& [name, texture] : textures)
+  {
+    texture->Activate();
+    this->OverGeometry->Program->SetUniformi(name, texture->GetTextureUnit());
+  }
+  this->OverGeometry->Render();
+  for (const auto& [name, texture] : textures)
+  {
+    texture->Deactivate();
+  }
+  return true;
+}
+
+bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const PixelGrid& size, Pixels& picture)
+{
+  const OpenGLStateKeeper keeper(window->GetState());
+  this->SetWindow(window);
+  if (!this->Upload(this->Back, size, 4, picture.data()))
   {
     return false;
   }
@@ -115,13 +182,13 @@ bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport
   return true;
 }
 
-bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, DepthPeel& peel,
+bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const PixelGrid& size, DepthPeel& peel,
   Pixels& back, Pixels& front)
 {
   const OpenGLStateKeeper keeper(window->GetState());
   this->SetWindow(window);
-  if (!this->Upload(this->Back, viewport, back) ||
-    (!front.empty() && !this->Upload(this->Front, viewport, front)))
+  if (!this->Upload(this->Back, size, 4, back.data()) ||
+    (!front.empty() && !this->Upload(this->Front, size, 4, front.data())))
   {
     return false;
   }
@@ -149,7 +216,7 @@ bool OpenGLPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport
 
 void OpenGLPicture::release(vtkWindow* window)
 {
-  for (Texture* texture : { &this->Back, &this->Front })
+  for (Texture* texture : { &this->Back, &this->Front, &this->SparseDepth, &this->Depth })
   {
     if (*texture)
     {
@@ -158,6 +225,7 @@ void OpenGLPicture::release(vtkWindow* window)
     }
   }
   this->Over.reset();
+  this->OverGeometry.reset();
   this->Peel.reset();
   this->Window = nullptr;
 }

@@ -153,8 +153,8 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   }
   if (takesNormalsFromOpacity(mapper, 0))
   {
-    without("ComputeNormalFromOpacity is not supported: the volume is shaded by the gradient of "
-            "its values, along which that of their opacity lies too.");
+    without("ComputeNormalFromOpacity is not supported: the volume is drawn with normals along the "
+            "gradient of its values, along which that of their opacity lies too.");
   }
   return requests;
 }

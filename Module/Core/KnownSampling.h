@@ -44,6 +44,13 @@ struct KnownSampling
         std::equal(this->depth.begin(), this->depth.end(), other.target.depth));
   }
 
+  /// Whether it errs by as much, seen from elsewhere.
+  bool isFor(const Quality& quality) const
+  {
+    return this->view.quality.errorTolerance == quality.errorTolerance &&
+      this->view.quality.reconstruction == quality.reconstruction;
+  }
+
   View view; // with no tolerance, nothing is known
   std::vector<float> depth;
   Sampling sampling;

@@ -7,9 +7,11 @@
 #include "Core/Cutaway.h"
 #include "Core/Lighting.h"
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <vector>
 
 namespace exabricks
 {
@@ -67,6 +69,10 @@ struct Quality
   /// for at most so many; none: as many as it allows.
   std::optional<int> levelsLeftOut;
   double terminationOpacity = 0.999; // a ray ends at this opacity
+  /// While something moves: by it steps are multiplied, however they were chosen; and whether what
+  /// was chosen last for the errorTolerance holds for this view too.
+  double stepGrowth = 1.0;
+  bool keepsSampling = false;
 };
 
 struct View
@@ -86,6 +92,25 @@ struct View
   std::optional<glm::dvec4> undefinedColor;
   std::optional<Lighting> lighting; // none: colours are those of the transfer function
 };
+
+/// Of depths, [target's height][target's width], those of the pixels that the rays of a sparser
+/// picture go through.
+inline std::vector<float> pickDepths(
+  const float* depths, const Target& target, const Target& sparse)
+{
+  std::vector<float> picked;
+  picked.reserve(static_cast<std::size_t>(sparse.width) * sparse.height);
+  for (std::int64_t y = 0; y < sparse.height; ++y)
+  {
+    const std::int64_t row = (2 * y + 1) * target.height / (2 * sparse.height);
+    for (std::int64_t x = 0; x < sparse.width; ++x)
+    {
+      picked.push_back(
+        depths[(2 * x + 1) * target.width / (2 * sparse.width) + target.width * row]);
+    }
+  }
+  return picked;
+}
 
 /// Makes the picture the whole, unless it is part of one already: what is drawn into the view from
 /// now on is part of it.
@@ -108,7 +133,9 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.jittered == b.quality.jittered &&
     a.quality.errorTolerance == b.quality.errorTolerance &&
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
-    a.quality.terminationOpacity == b.quality.terminationOpacity && a.cutaway == b.cutaway &&
+    a.quality.terminationOpacity == b.quality.terminationOpacity &&
+    a.quality.stepGrowth == b.quality.stepGrowth &&
+    a.quality.keepsSampling == b.quality.keepsSampling && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
     a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
     a.slicePlane == b.slicePlane && a.undefinedColor == b.undefinedColor &&

@@ -29,22 +29,6 @@ View wholeOf(View view)
   view.target.nearDepth = nullptr;
   return view;
 }
-
-// The depth of the pixels of `view` that the rays of `sparse` go through.
-std::vector<float> pickDepth(const Target& view, const Target& sparse)
-{
-  std::vector<float> depth;
-  depth.reserve(static_cast<std::size_t>(sparse.width) * sparse.height);
-  for (std::int64_t y = 0; y < sparse.height; ++y)
-  {
-    const std::int64_t row = (2 * y + 1) * view.height / (2 * sparse.height);
-    for (std::int64_t x = 0; x < sparse.width; ++x)
-    {
-      depth.push_back(view.depth[(2 * x + 1) * view.width / (2 * sparse.width) + view.width * row]);
-    }
-  }
-  return depth;
-}
 }
 
 SamplingChoice::SamplingChoice(std::shared_ptr<Device> device)
@@ -56,7 +40,7 @@ Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const Mak
 {
   const View view = wholeOf(part);
   KnownSampling& known = this->Known[part.target.whole ? 1 : 0];
-  if (known.isOf(view))
+  if (known.isOf(view) || (part.quality.keepsSampling && known.isFor(view.quality)))
   {
     this->Seconds = 0.0;
     return known.sampling;
@@ -88,7 +72,7 @@ std::optional<Sampling> SamplingChoice::FindFrom(
   std::vector<float> depth;
   if (view.target.depth)
   {
-    depth = pickDepth(view.target, sparse.target);
+    depth = pickDepths(view.target.depth, view.target, sparse.target);
     sparse.target.depth = depth.data();
   }
   this->Pictures.begin(sparse.target, pass,

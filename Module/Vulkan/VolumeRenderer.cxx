@@ -302,8 +302,9 @@ struct VolumeRenderer::Internals
         StepWeights::terminationOpacity(view.quality.errorTolerance);
     }
     const Sampling sampling = searched ? this->Choose(view) : this->TakeRequested(view);
-    view.quality.stepScale = sampling.stepScale;
-    this->Measured.stepScale = sampling.stepScale;
+    view.quality.stepScale = view.quality.stepGrowth * sampling.stepScale;
+    view.quality.sampleDistance *= view.quality.stepGrowth;
+    this->Measured.stepScale = view.quality.stepScale;
     this->Measured.levelsLeftOut = sampling.levelsLeftOut;
     this->Count();
     const Stopwatch watch;
