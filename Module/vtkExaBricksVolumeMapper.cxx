@@ -224,6 +224,11 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
     return;
   }
   internals.Report(exabricks::checkLights(ren, vol));
+  if (internals.DrawnWithOther.is(ren) && !ren->GetSelector())
+  {
+    internals.Drawn.set(ren, true);
+    return;
+  }
   this->Update();
   if (!internals.GetBrickedVolume())
   {

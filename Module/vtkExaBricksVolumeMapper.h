@@ -35,6 +35,10 @@
  * The volume is picked by vtkPropPicker, vtkHardwareSelector and area picks; vtkExaBricksPicker
  * tells the place, the cell and its value.
  *
+ * Volumes of this mapper that overlap in a renderer are drawn as one medium, with blend mode
+ * composite and equal final colors: what each absorbs and emits adds up. Others are drawn one after
+ * the other, as VTK sorts them.
+ *
  * Where the renderer peels depth for volumes too (SetUseDepthPeelingForVolumes), translucent
  * geometry shows in the right order with it; else the volume is drawn over it.
  *

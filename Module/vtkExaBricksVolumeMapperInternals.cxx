@@ -8,12 +8,16 @@
 #include "Adapters/ViewInput.h"
 #include "Core/Completion.h"
 #include "Core/Stopwatch.h"
+#include "Vulkan/JointPicture.h"
 #include "vtkExaBricksData.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 static_assert(static_cast<int>(vtkExaBricksVolumeMapper::MAGNITUDE) ==
@@ -32,6 +36,12 @@ static_assert(static_cast<int>(vtkExaBricksVolumeMapper::NEAREST) ==
 
 namespace
 {
+// Of the bounds, half cells.
+glm::dvec3 sizeOf(const exabricks::BrickedVolume& bricked)
+{
+  return glm::dvec3(bricked.volume.structure->tree.size);
+}
+
 // Whether nothing was uploaded, compiled, selected or searched for a picture.
 bool madeNothing(const exabricks::VolumeRenderer::Statistics& before,
   const exabricks::VolumeRenderer::Statistics& after)
@@ -281,20 +291,108 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
     return !this->Aborted;
   };
+  const std::vector<Overlapping> others = this->FindOverlapping(ren, vol);
   const exabricks::VolumeRenderer::Statistics before = this->Renderer.statistics();
   const exabricks::Stopwatch watch;
+  double marching = 0.0;
   const std::optional<std::string> fault = this->Compositor.draw(this->Self, ren, vol, makeView,
-    { this->Self->FinalColorWindow, this->Self->FinalColorLevel }, this->Renderer, progress);
+    { this->Self->FinalColorWindow, this->Self->FinalColorLevel },
+    [&](const exabricks::View& view, exabricks::Pixels& picture)
+    { return this->RenderPicture(ren, bricked, others, view, picture, marching, progress); });
   if (fault && fault->empty())
   {
-    const exabricks::VolumeRenderer::Statistics& drawn = this->Renderer.statistics();
-    const double other = watch.seconds() - drawn.marchTime;
     // What is made once does not count for the pictures after this one.
+    const bool steady = madeNothing(before, this->Renderer.statistics());
     this->Interactive.measured(
-      this->Coarseness, rays, drawn.marchTime, madeNothing(before, drawn) ? other : 0.0);
+      this->Coarseness, rays, marching, steady ? watch.seconds() - marching : 0.0);
     this->InteractiveTime = this->Self->GetMTime();
+    for (const Overlapping& other : others)
+    {
+      other.internals->DrawnWithOther.set(ren, true);
+    }
   }
   return fault;
+}
+
+// The renderer's other volumes that overlap this one, or one of them, brought up to date. Those
+// that cannot be drawn are left to say so themselves.
+std::vector<vtkExaBricksVolumeMapper::vtkInternals::Overlapping>
+vtkExaBricksVolumeMapper::vtkInternals::FindOverlapping(vtkRenderer* ren, vtkVolume* vol)
+{
+  std::vector<Overlapping> found;
+  if (this->Self->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return found;
+  }
+  std::vector<vtkBoundingBox> boxes{ vtkBoundingBox(vol->GetBounds()) };
+  const auto overlaps = [&](const vtkBoundingBox& box)
+  {
+    return std::any_of(boxes.begin(), boxes.end(),
+      [&](const vtkBoundingBox& other)
+      {
+        vtkBoundingBox common = box;
+        return common.IntersectBox(other) != 0 && common.GetLength(0) > 0.0 &&
+          common.GetLength(1) > 0.0 && common.GetLength(2) > 0.0;
+      });
+  };
+  std::set<vtkVolume*> members{ vol };
+  vtkVolumeCollection* volumes = ren->GetVolumes();
+  for (bool grows = true; grows;)
+  {
+    grows = false;
+    vtkCollectionSimpleIterator place;
+    volumes->InitTraversal(place);
+    while (vtkVolume* other = volumes->GetNextVolume(place))
+    {
+      auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(other->GetMapper());
+      if (!mapper || !other->GetVisibility() || members.count(other) > 0 ||
+        mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
+        mapper->GetFinalColorWindow() != this->Self->FinalColorWindow ||
+        mapper->GetFinalColorLevel() != this->Self->FinalColorLevel || !other->GetBounds() ||
+        !vtkMath::AreBoundsInitialized(other->GetBounds()) ||
+        !overlaps(vtkBoundingBox(other->GetBounds())))
+      {
+        continue;
+      }
+      members.insert(other);
+      mapper->Update();
+      vtkInternals& internals = *mapper->Internals;
+      auto bricked = internals.GetBrickedVolume();
+      if (bricked && exabricks::checkWithoutData(mapper, other).refused.empty() &&
+        internals.CheckData(other->GetProperty(), *bricked).empty())
+      {
+        internals.UpdateRenderer(other->GetProperty(), bricked);
+        boxes.emplace_back(other->GetBounds());
+        found.push_back({ other, &internals, std::move(bricked) });
+        grows = true;
+      }
+    }
+  }
+  return found;
+}
+
+// The volume's picture, with all that overlaps it.
+std::string vtkExaBricksVolumeMapper::vtkInternals::RenderPicture(vtkRenderer* ren,
+  const exabricks::BrickedVolume& bricked, const std::vector<Overlapping>& others,
+  const exabricks::View& view, exabricks::Pixels& picture, double& marching,
+  const exabricks::VolumeRenderer::Progress& progress)
+{
+  if (others.empty())
+  {
+    const std::string fault = this->Renderer.render(view, picture, progress);
+    marching += this->Renderer.statistics().marchTime;
+    return fault;
+  }
+  std::vector<exabricks::JointVolume> volumes{ { &this->Renderer, view, sizeOf(bricked) } };
+  for (const Overlapping& other : others)
+  {
+    exabricks::View beside = other.internals->MakeView(
+      ren, other.volume, *other.bricked, view.target.width, view.target.height);
+    beside.quality.stepGrowth = view.quality.stepGrowth;
+    beside.quality.keepsSampling = view.quality.keepsSampling;
+    volumes.push_back({ &other.internals->Renderer, beside, sizeOf(*other.bricked) });
+  }
+  return exabricks::renderJointly(volumes, view.target, picture, marching, progress);
 }
 
 // Whether sample distances are chosen for the time allocated to the picture.

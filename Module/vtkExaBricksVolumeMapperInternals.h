@@ -25,6 +25,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::VolumeRenderer Renderer;
   exabricks::Compositor Compositor;
   exabricks::DrawnRenderers Drawn;
+  exabricks::DrawnRenderers DrawnWithOther; // in the picture of a volume that overlaps this one
 
   // What the renderer was last given.
   std::shared_ptr<const exabricks::BrickedVolume> Bricked;
@@ -72,6 +73,18 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     const exabricks::BrickedVolume& bricked, int width, int height);
   exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height) const;
+
+  // Volumes that overlap this one.
+  struct Overlapping
+  {
+    vtkVolume* volume;
+    vtkInternals* internals;
+    std::shared_ptr<const exabricks::BrickedVolume> bricked;
+  };
+  std::vector<Overlapping> FindOverlapping(vtkRenderer* ren, vtkVolume* vol);
+  std::string RenderPicture(vtkRenderer* ren, const exabricks::BrickedVolume& bricked,
+    const std::vector<Overlapping>& others, const exabricks::View& view, exabricks::Pixels& picture,
+    double& marching, const exabricks::VolumeRenderer::Progress& progress);
 
   void DropVolume();
   std::string Report(const exabricks::Requests& requests);

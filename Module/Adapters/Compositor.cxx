@@ -34,7 +34,7 @@ std::string refuse(const Viewport& viewport)
 
 std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren,
   vtkVolume* vol, const std::function<View(int width, int height)>& makeView,
-  const ColorWindow& colors, VolumeRenderer& renderer, const VolumeRenderer::Progress& progress)
+  const ColorWindow& colors, const Render& render)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   if (!window)
@@ -50,7 +50,7 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   View view = makeView(viewport.width, viewport.height);
   if (this->Peel.begin(mapper, vol))
   {
-    return this->DrawPeel(window, viewport, view, colors, renderer, progress);
+    return this->DrawPeel(window, viewport, view, colors, render);
   }
   const OpaqueDepth opaque = readDepth(window, viewport, this->Depth);
   if (opaque == OpaqueDepth::Refused)
@@ -65,7 +65,7 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
     this->SparseDepth = pickDepths(this->Depth.data(), targetOf(viewport), view.target);
   }
   view.target.depth = !hasDepth ? nullptr : sparse ? this->SparseDepth.data() : this->Depth.data();
-  const std::string fault = renderer.render(view, this->Back, progress);
+  const std::string fault = render(view, this->Back);
   if (!fault.empty())
   {
     return fault;
@@ -159,8 +159,7 @@ void Compositor::RestrictDepth(
 }
 
 std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
-  const Viewport& viewport, View view, const ColorWindow& colors, VolumeRenderer& renderer,
-  const VolumeRenderer::Progress& progress)
+  const Viewport& viewport, View view, const ColorWindow& colors, const Render& render)
 {
   RayPieces back;
   RayPieces front;
@@ -184,16 +183,16 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
       }
     }
   }
-  const auto render = [&](const RayPieces& pieces, Pixels& pixels)
+  const auto renderPieces = [&](const RayPieces& pieces, Pixels& pixels)
   {
     view.target.nearDepth = pieces.begin.data();
     view.target.depth = pieces.end.data();
-    return renderer.render(view, pixels, progress);
+    return render(view, pixels);
   };
   std::string fault;
   if (back.any)
   {
-    fault = render(back, this->Back);
+    fault = renderPieces(back, this->Back);
   }
   else
   {
@@ -203,7 +202,7 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
   this->Front.clear();
   if (front.any && fault.empty() && !gaveUp)
   {
-    fault = render(front, this->Front);
+    fault = renderPieces(front, this->Front);
   }
   if (!fault.empty())
   {

@@ -18,14 +18,17 @@ namespace exabricks
 class Compositor
 {
 public:
-  /// Draws the volume into the window of `ren`. `makeView` is called with the size of the picture
-  /// in pixels; where its view has fewer, the picture is filled in between them. `colors` is
-  /// applied to it. Returns an empty string, or what went wrong. Returns
-  /// nothing where nothing is drawn for a good reason: `progress` gave the picture up, or it is a
-  /// peel after the first one that has no use for the volume.
+  /// As VolumeRenderer::render().
+  using Render = std::function<std::string(const View&, Pixels&)>;
+
+  /// Draws the volume into the window of `ren`, by `render`. `makeView` is called with the size of
+  /// the picture in pixels; where its view has fewer, the picture is filled in between them.
+  /// `colors` is applied to it. Returns an empty string, or what went wrong. Returns nothing where
+  /// nothing is drawn for a good reason: the picture was given up, or it is a peel after the first
+  /// one that has no use for the volume.
   std::optional<std::string> draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* ren, vtkVolume* vol,
     const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
-    VolumeRenderer& renderer, const VolumeRenderer::Progress& progress);
+    const Render& render);
 
   /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
   /// the selected area; and in those that ask for anything but props and processes, which are told
@@ -40,8 +43,7 @@ private:
   void RestrictDepth(
     vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4]);
   std::optional<std::string> DrawPeel(vtkOpenGLRenderWindow* window, const Viewport& viewport,
-    View view, const ColorWindow& colors, VolumeRenderer& renderer,
-    const VolumeRenderer::Progress& progress);
+    View view, const ColorWindow& colors, const Render& render);
 
   OpenGLPicture Picture;
   DepthPeel Peel;

@@ -34,6 +34,12 @@ void DrawnRenderers::set(vtkRenderer* ren, bool drawn)
   }
 }
 
+bool DrawnRenderers::is(vtkRenderer* ren) const
+{
+  const auto found = this->Drawn.find(ren);
+  return found != this->Drawn.end() && found->second;
+}
+
 bool DrawnRenderers::any() const
 {
   // A renderer that does not draw, or has another one draw in its place, has no events.

@@ -24,6 +24,8 @@ public:
 
   /// Whether the volume is in the picture that `ren` is drawing.
   void set(vtkRenderer* ren, bool drawn);
+  /// Whether it is in the last picture of `ren`, as far as that was drawn.
+  bool is(vtkRenderer* ren) const;
   /// Whether any of the renderers shows the volume.
   bool any() const;
 

@@ -158,13 +158,14 @@ void vtkExaBricksRepresentation::TakeDeliveredData(vtkInformation* inInfo)
     : nullptr;
   this->Volume->SetOutlineConnection(vtkPVRenderView::GetPieceProducer(inInfo, this, OUTLINE));
   // No blocks: a client, an empty input, or one of several processes that got none.
-  if (amr && exabricks::getFirstBlock(amr))
+  if (amr && exabricks::getFirstBlock(amr) && this->SelectArray(amr))
   {
     this->Mapper->SetInputConnection(data);
-    this->Volume->SetOutlineOnly(!this->SelectArray(amr));
+    this->Volume->SetOutlineOnly(false);
   }
   else
   {
+    // Volumes that overlap it would draw the mapper's data too.
     this->Mapper->RemoveAllInputConnections(0);
     this->Volume->SetOutlineOnly(true);
   }
