@@ -86,7 +86,8 @@ public:
    * the point. COMPLETED: trilinear interpolation in each level, whose lattice is completed by
    * values extrapolated from the other levels beside it, and between the levels the mean weighted
    * with the tents. Continuous, and exact for linear fields across levels, where the basis is off
-   * by up to half a fine cell for a ratio of 2; costs as much time a picture as the basis, and
+   * by up to half a fine cell for a ratio of 2, and normals of the basis turn by some 75 degrees,
+   * which shaded volumes and iso-surfaces show; costs as much time a picture as the basis, and
    * memory for one layer of cells more around each brick. Until one is chosen, the volume
    * property's interpolation type counts, as for VTK's mappers: nearest, its default, or linear,
    * which is BASIS.

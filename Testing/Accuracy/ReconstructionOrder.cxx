@@ -208,6 +208,57 @@ std::vector<double> measureJumps(
   return jumps;
 }
 
+NormalErrors measureNormals(
+  const Sampler& sampler, const Grid& grid, const Field& field, Method method, bool inside)
+{
+  constexpr int linesOfFace = 30;
+  constexpr double spacing = 0.01; // of points on a line, finest cells
+  constexpr double difference = 1e-4;
+  const double side = 1.0 / grid.cellShare;
+  const double reach = side / grid.coarseCells; // a coarse cell
+  const auto direction = [&](const auto& value, const glm::dvec3& p, double step)
+  {
+    glm::dvec3 gradient;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec3 off(0.0);
+      off[axis] = step;
+      gradient[axis] = value(p + off) - value(p - off);
+    }
+    return glm::normalize(gradient);
+  };
+  const auto degrees = [](const glm::dvec3& a, const glm::dvec3& b)
+  { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / 3.14159265358979; };
+  double off = 0.0;
+  double turns = 0.0;
+  double greatestTurn = 0.0;
+  int points = 0;
+  for (int line = 0; line < 6 * linesOfFace; ++line)
+  {
+    const int axis = line / linesOfFace / 2;
+    glm::dvec3 middle = side * (0.3 + 0.4 * evenPoint(line % linesOfFace));
+    middle[axis] = side * (inside ? 0.5 : line / linesOfFace % 2 ? 0.75 : 0.25);
+    double turn = 0.0;
+    glm::dvec3 last(0.0);
+    for (double t = -reach + 0.37 * spacing; t < reach; t += spacing)
+    {
+      glm::dvec3 p = middle;
+      p[axis] += t;
+      const glm::dvec3 found =
+        direction([&](const glm::dvec3& at) { return *sampler.sample(at, method); }, p, difference);
+      const glm::dvec3 truth =
+        direction([&](const glm::dvec3& at) { return field.value(at * grid.cellShare); }, p, 1e-3);
+      off += degrees(found, truth);
+      ++points;
+      turn = last == glm::dvec3(0.0) ? turn : std::max(turn, degrees(found, last));
+      last = found;
+    }
+    turns += turn;
+    greatestTurn = std::max(greatestTurn, turn);
+  }
+  return { off / points, greatestTurn, turns / (6 * linesOfFace) };
+}
+
 double basisAcrossLevels(double r, double x)
 {
   if (std::abs(x) >= 0.5 * r)

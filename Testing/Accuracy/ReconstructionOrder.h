@@ -75,6 +75,18 @@ double observedOrder(const std::vector<ErrorRow>& rows, Method method, Zone zone
 std::vector<double> measureJumps(
   const Sampler& sampler, const Grid& grid, Method method, const std::vector<double>& distances);
 
+/// Directions of the gradient, which surfaces are shaded by, along lines across the finer level's
+/// faces from a coarse cell before to one behind them; or, `inside`, as long ones in the finer
+/// level. Degrees.
+struct NormalErrors
+{
+  double mean;         // from the field's own direction
+  double greatestTurn; // within a hundredth of a finest cell, where kinks are
+  double meanTurn;     // the same of each line, in the mean
+};
+NormalErrors measureNormals(
+  const Sampler& sampler, const Grid& grid, const Field& field, Method method, bool inside);
+
 /// What the basis makes of the field x across a level change in the plane x = 0, coarse cells on
 /// the negative side: the value at x, all in finest cells.
 ///

@@ -299,3 +299,27 @@ TEST(PictureAccuracy, CandidatesTakeTheLevelBoundariesOutOfThePicture)
     }
   }
 }
+
+TEST_P(AcrossRatios, NormalsOfCompletedTurnNoMoreAcrossLevelsThanInside)
+{
+  const Grid grid = makeBoxGrid(GetParam(), 16);
+  const Field field = bell();
+  const Sampler sampler(grid, field);
+  const auto measureOf = [&](Method method, bool inside)
+  {
+    const NormalErrors found = measureNormals(sampler, grid, field, method, inside);
+    std::cout << "ratio " << GetParam() << ", " << nameOf(method)
+              << (inside ? ", inside: " : ", across: ") << found.mean << " degrees off, turn by "
+              << found.meanTurn << " in the mean, " << found.greatestTurn << " at most\n";
+    return found;
+  };
+  const NormalErrors inside = measureOf(Method::Completed, true);
+  const NormalErrors completed = measureOf(Method::Completed, false);
+  const NormalErrors basis = measureOf(Method::Basis, false);
+  EXPECT_NEAR(measureOf(Method::Basis, true).meanTurn, inside.meanTurn, 1e-6);
+  EXPECT_LT(completed.meanTurn, 1.5 * inside.meanTurn);
+  EXPECT_LT(completed.mean, 1.5 * inside.mean);
+  // The basis is flat along the last coarse half cells: its normals lie along the boundary there.
+  EXPECT_GT(basis.meanTurn, 60.0);
+  EXPECT_LT(completed.meanTurn, 0.2 * basis.meanTurn);
+}
