@@ -214,8 +214,15 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
-    this->Renderer.setTransferFunction(
-      exabricks::makeTransferFunction(property, range, this->Colors));
+    const exabricks::TransferFunction transfer =
+      exabricks::makeTransferFunction(property, range, this->Colors);
+    if (this->Self->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && !this->SaidTransparent)
+    {
+      const exabricks::Requests found = exabricks::checkTransparency(property, transfer, bricked);
+      this->SaidTransparent = !found.drawnWithout.empty();
+      this->Report(found);
+    }
+    this->Renderer.setTransferFunction(transfer);
   }
   // A function of gradients itself has no other one beside it, as in VTK's mapper.
   this->Renderer.setGradientOpacity(

@@ -42,9 +42,10 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::Coarseness Coarseness; // of the last picture
 
   std::set<std::string> ReportedWarnings; // each is reported once
-  std::string ReportedFault;              // of the last picture: reported once as long as it stays
-  bool Aborted = false;                   // the window was told to stop in the last picture
-  std::string ConfigurationFault;         // empty if the builder has the mapper's input and array
+  bool SaidTransparent = false;   // that next to nothing shows: once, whatever the functions become
+  std::string ReportedFault;      // of the last picture: reported once as long as it stays
+  bool Aborted = false;           // the window was told to stop in the last picture
+  std::string ConfigurationFault; // empty if the builder has the mapper's input and array
 
   explicit vtkInternals(vtkExaBricksVolumeMapper* self)
     : Self(self)

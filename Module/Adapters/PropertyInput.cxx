@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
 
 namespace exabricks
 {
@@ -177,6 +179,33 @@ std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& sett
          "SampleDistance and ErrorTolerance, found " +
     std::to_string(unit) + ", " + std::to_string(settings.stepScale) + ", " +
     std::to_string(settings.sampleDistance) + " and " + std::to_string(settings.errorTolerance);
+}
+
+Requests checkTransparency(
+  vtkVolumeProperty* property, const TransferFunction& transfer, const BrickedVolume& bricked)
+{
+  constexpr double nextToNothing = 0.02; // opacity: five of 255 steps
+  double most = 0.0;
+  for (const TransferFunction::Point& point : transfer.points())
+  {
+    most = std::max(most, point.color.a);
+  }
+  const double unit = property->GetScalarOpacityUnitDistance(0);
+  const double length =
+    glm::length(0.5 * bricked.spacing * glm::dvec3(bricked.volume.structure->tree.size));
+  const double opacity = -std::expm1(std::log1p(-std::min(most, 1.0 - 1e-12)) * length / unit);
+  if (most == 0.0 || opacity >= nextToNothing)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "The volume is nearly transparent: through all of it, a length of " << length
+       << ", an opacity of at most " << most << " in a ScalarOpacityUnitDistance of " << unit
+       << " comes to no more than " << opacity
+       << ". Call SetScalarOpacityUnitDistance() of the volume property, for example with "
+       << length / 50.0 << ".";
+  return { {}, { text.str() } };
 }
 
 Blending findBlending(vtkVolumeMapper* mapper)

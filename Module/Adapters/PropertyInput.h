@@ -53,6 +53,10 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 /// Checks the numbers: returns what is refused, or nothing.
 std::string checkNumbers(vtkVolumeProperty* property, const MapperSettings& settings);
 
+/// Warns of a volume of which, by its unit distance, next to nothing shows, and says what to try.
+Requests checkTransparency(
+  vtkVolumeProperty* property, const TransferFunction& transfer, const BrickedVolume& bricked);
+
 /// The mapper's blend mode, which checkWithoutData() has let pass, and the values of each component
 /// that count for the average.
 Blending findBlending(vtkVolumeMapper* mapper);

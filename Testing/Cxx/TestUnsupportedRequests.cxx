@@ -65,6 +65,23 @@ int TestUnsupportedRequests(int, char*[])
   checks.Expect(messages.Warnings().empty(), "no warnings of a copy: " + messages.TakeWarnings());
   stage.volume->SetProperty(property);
 
+  // Of data much smaller than the default unit distance nothing would be seen.
+  {
+    const test::Lattice small{ { 0.0, 0.0, 0.0 }, { 1e-3, 1e-3, 1e-3 } };
+    test::Stage faint(test::makeAMR(test::cornerRefined(), test::constant(1.0), small), 20);
+    test::setConstantColor(faint.Property(), 0.5);
+    test::lookAlongZ(faint.renderer, 4e-3, 4e-3, 4e-3, 8e-3);
+    test::Picture(faint.window);
+    faint.Property()->GetScalarOpacity()->AddPoint(2.0, 0.6);
+    test::Picture(faint.window);
+    checks.Equal(messages.Warnings().size(), 1, "warnings of a volume next to transparent");
+    checks.Says(messages.TakeWarnings(),
+      { "nearly transparent", "SetScalarOpacityUnitDistance", "0.00028" }, "next to transparent");
+    faint.Property()->SetScalarOpacityUnitDistance(0.00028);
+    checks.Expect(test::Picture(faint.window).Center()[0] > 0.5, "it shows with that distance");
+    checks.Expect(messages.Warnings().empty(), messages.TakeWarnings());
+  }
+
   // Each said once, over several pictures, and drawn without.
   const auto warnsOnce = [&](const std::string& word, const std::function<void()>& set)
   {
