@@ -10,6 +10,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkExaBricksVolume);
 
 vtkExaBricksVolume::vtkExaBricksVolume() { this->Outline->SetMapper(this->OutlineMapper); }
@@ -19,6 +21,22 @@ vtkExaBricksVolume::~vtkExaBricksVolume() = default;
 void vtkExaBricksVolume::SetOutlineConnection(vtkAlgorithmOutput* output)
 {
   this->OutlineMapper->SetInputConnection(output);
+}
+
+double* vtkExaBricksVolume::GetBounds()
+{
+  if (!this->OutlineOnly)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Outline->SetUserMatrix(this->GetMatrix());
+  const double* const bounds = this->Outline->GetBounds();
+  if (!bounds)
+  {
+    return nullptr;
+  }
+  std::copy_n(bounds, 6, this->Bounds);
+  return this->Bounds;
 }
 
 int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)

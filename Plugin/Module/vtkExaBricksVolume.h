@@ -38,6 +38,10 @@ public:
   vtkGetMacro(OutlineOnly, bool);
   ///@}
 
+  /// Those of the mapper's data, or of the outline alone.
+  double* GetBounds() override;
+  using vtkVolume::GetBounds;
+
   /// Invokes vtkCommand::EndEvent when it is done.
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
   /// Draws the outline, if the volume was not drawn.

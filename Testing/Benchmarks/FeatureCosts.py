@@ -227,8 +227,9 @@ def make_peer(image, kind, feature, cells, pixels):
         mapper.UseJitteringOff()
         name = "vtkGPUVolumeRayCastMapper"
     else:
-        mapper.SetImageSampleDistance(1.0)
-        name = "vtkFixedPointVolumeRayCastMapper"
+        if kind is vtkFixedPointVolumeRayCastMapper:
+            mapper.SetImageSampleDistance(1.0)
+        name = kind.__name__
     return Method(f"resampled, {name}", feature, mapper, cells, pixels)
 
 

@@ -9,7 +9,7 @@ import pandas
 from page import markdown, milliseconds, number, read_csv, span, three_digits
 
 MADE_BY = "exabricks-benchmark --quick --output <folder>"
-MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv", "features.csv")
+MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv", "features.csv", "motion.csv")
 
 # What the renderer was asked to reach.
 TARGET_SCENE = "rt_medium magvort, scene"
@@ -35,6 +35,8 @@ def load(folder):
         "changes": read_csv(folder, "changes.csv", ["scene", "change", "traversal", "total_ms", "kept"]),
         "machine": read_csv(folder, "machine.csv", ["name", "value"]),
         "features": read_csv(folder, "features.csv", ["feature", "method", "value", "wall_ms", "cpu_ms", "db"]),
+        "motion": read_csv(folder, "motion.csv", [
+            "scene", "method", "allowed_ms", "taken_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth"]),
     }
     for name in ("scenes", "growth"):
         data[name] = read_csv(folder, f"{name}.csv", [
@@ -320,5 +322,18 @@ def features_table(data):
                     rows) if rows else None
 
 
-TABLES = {"features": features_table, "machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
+def motion_table(data):
+    """How long pictures take of the time allowed, and how near they are, for each time allowed."""
+    table = data["motion"]
+    allowed = sorted(table.allowed_ms.unique(), reverse=True)
+    rows = []
+    for (scene, method), lines in table.groupby(["scene", "method"], sort=False):
+        lines = lines.set_index("allowed_ms")
+        cells = [f"{lines.taken_of_allowed[time]:.2f} ({lines.least[time]:.2f} to {lines.most[time]:.2f}), {lines.db[time]:.1f}"
+                 if time in lines.index else "" for time in allowed]
+        rows.append([scene, method, *cells])
+    return markdown(["", "", *(f"{time:.0f} ms" for time in allowed)], rows) if rows else None
+
+
+TABLES = {"features": features_table, "motion": motion_table, "machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
           "source_times": source_times_table, "source_memory": source_memory_table, "changes": changes_table}

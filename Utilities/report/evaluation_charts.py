@@ -223,6 +223,32 @@ def features(data):
     return drawn
 
 
+def motion(data):
+    """The time allowed for a picture while something moves, and how near it is."""
+    table = data["motion"]
+    if table.empty:
+        return None
+    scenes = table.scene.unique()
+    drawn, grid = plot.figure(len(scenes), width=1.2 + 2.9 * len(scenes), height=3.1, sharey=True, squeeze=False)
+    looks = {MAPPER: (plot.BLACK, "o"), "vtkSmartVolumeMapper, 128^3": (plot.ORANGE, "^"),
+             "vtkFixedPointVolumeRayCastMapper, 128^3": (plot.BLUE, "s")}
+    for axes, scene in zip(grid[0], scenes):
+        for method, lines in table[table.scene == scene].groupby("method", sort=False):
+            color, marker = looks[method]
+            axes.plot(lines.allowed_ms, lines.db, color=color, marker=marker, label=method)
+        axes.set_xscale("log")
+        axes.minorticks_off()
+        allowed = sorted(table.allowed_ms.unique())
+        axes.set_xticks(allowed, [f"{time:.0f}" for time in allowed])
+        plot.label(axes, scene, "time allowed / ms")
+    plot.label(grid[0][0], scenes[0], "time allowed / ms", PSNR)
+    for method, (color, marker) in looks.items():  # all of them beside the last scene, which may lack some
+        if method in set(table.method) - set(table[table.scene == scenes[-1]].method):
+            grid[0][-1].plot([], [], color=color, marker=marker, label=method)
+    plot.legend(grid[0][-1])
+    return drawn
+
+
 def growth(data, rows_of_axes, height):
     """One column for each scene, one row for each group of curves: (unit, [(name, value, colour, marker)])."""
     table = data["growth"]
@@ -272,7 +298,7 @@ def growth_memory(data):
         ("bricks", lambda t: t.bricks_mib, plot.VERMILION, "D", "-")])], 3.1)
 
 
-PAGE_CHARTS = {"main": main, "features": features, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
+PAGE_CHARTS = {"main": main, "features": features, "motion": motion, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
                "growth_memory": growth_memory}
 
 
