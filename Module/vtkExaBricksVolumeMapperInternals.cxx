@@ -287,7 +287,11 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   double rays = 0.0;
   const auto makeView = [&](int width, int height)
   {
-    this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, width, height);
+    if (this->Compositor.isFirstPass())
+    {
+      this->MeasurePasses(); // those of the picture before, of which none is known to be the last
+      this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, width, height);
+    }
     const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
     rays = static_cast<double>(view.target.width) * view.target.height;
     return view;
@@ -310,8 +314,13 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   {
     // What is made once does not count for the pictures after this one.
     const bool steady = madeNothing(before, this->Renderer.statistics());
-    this->Interactive.measured(
-      this->Coarseness, rays, marching, steady ? watch.seconds() - marching : 0.0);
+    this->RaysOfPasses = rays;
+    this->MarchingOfPasses += marching;
+    this->OtherOfPasses += steady ? watch.seconds() - marching : 0.0;
+    if (!this->Compositor.isPeeling())
+    {
+      this->MeasurePasses();
+    }
     this->InteractiveTime = this->Self->GetMTime();
     for (const Overlapping& other : others)
     {
@@ -400,6 +409,13 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::RenderPicture(vtkRenderer* r
     volumes.push_back({ &other.internals->Renderer, beside, sizeOf(*other.bricked) });
   }
   return exabricks::renderJointly(volumes, view.target, picture, marching, progress);
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::MeasurePasses()
+{
+  this->Interactive.measured(
+    this->Coarseness, this->RaysOfPasses, this->MarchingOfPasses, this->OtherOfPasses);
+  this->RaysOfPasses = this->MarchingOfPasses = this->OtherOfPasses = 0.0;
 }
 
 // Whether sample distances are chosen for the time allocated to the picture.

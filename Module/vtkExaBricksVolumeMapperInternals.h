@@ -38,6 +38,10 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   bool ReconstructionChosen = false;
 
   exabricks::InteractiveSampling Interactive;
+  // What the passes of a picture around translucent geometry took so far, seconds.
+  double RaysOfPasses = 0.0; // of one of them
+  double MarchingOfPasses = 0.0;
+  double OtherOfPasses = 0.0;
   vtkMTimeType InteractiveTime = 0; // of the mapper, when anything was last measured
   exabricks::Coarseness Coarseness; // of the last picture
 
@@ -70,6 +74,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked);
 
   bool AdjustsSampleDistances(vtkRenderer* ren) const;
+  void MeasurePasses();
   exabricks::Coarseness ChooseCoarseness(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height);
   exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,

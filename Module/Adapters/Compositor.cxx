@@ -47,8 +47,9 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
   {
     return std::string();
   }
+  this->Peeling = this->Peel.begin(mapper, vol);
   View view = makeView(viewport.width, viewport.height);
-  if (this->Peel.begin(mapper, vol))
+  if (this->Peeling)
   {
     return this->DrawPeel(window, viewport, view, colors, render);
   }

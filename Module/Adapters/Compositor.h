@@ -30,6 +30,11 @@ public:
     const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
     const Render& render);
 
+  /// Whether the volume is drawn in passes, one for each layer of translucent geometry, and whether
+  /// this pass is the first one of a picture. Holds from the call of `makeView` on.
+  bool isPeeling() const { return this->Peeling; }
+  bool isFirstPass() const { return !this->Peeling || this->Peel.isFirst(); }
+
   /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
   /// the selected area; and in those that ask for anything but props and processes, which are told
   /// of no volume, black. Returns as draw() does.
@@ -47,6 +52,7 @@ private:
 
   OpenGLPicture Picture;
   DepthPeel Peel;
+  bool Peeling = false;
   Pixels Selected; // what shows in the area of a selector; empty: it has no number for the prop
   Pixels Back;     // the picture; of a peel, the part behind what is peeled
   Pixels Front;    // of a peel, the part before it
