@@ -482,6 +482,11 @@ void vtkExaBricksRepresentation::UpdateStatistics()
        << this->Mapper->GetDeviceName() << "\n"
        << std::fixed << std::setprecision(1) << this->Mapper->GetDeviceMemory() / 1e6 << " MB, "
        << std::setprecision(3) << this->Mapper->GetTimeToDraw() << " s a picture";
+  const double distance = this->Mapper->GetUsedImageSampleDistance();
+  if (distance > 1.0)
+  {
+    text << std::setprecision(1) << ", a ray in " << distance << " x " << distance << " pixels";
+  }
   this->Statistics->SetText(text.str());
 }
 
