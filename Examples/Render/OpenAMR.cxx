@@ -13,6 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExaBricksFileCheck.h"
 #include "vtkVersion.h"
 #include "vtkXMLUniformGridAMRReader.h"
 
@@ -57,6 +58,10 @@ vtkSmartPointer<vtkAlgorithm> readerFor(std::string path)
   switch (findInputKind(path))
   {
     case InputKind::AMReX:
+      if (const std::string fault = vtkExaBricksFileCheck::FindFault(path); !fault.empty())
+      {
+        Refuse("'" + path + "' is damaged: " + fault + ". Copy it anew, or write it once more.");
+      }
       return makeReader<vtkAMReXGridReader>(path);
     case InputKind::Enzo:
       return makeReader<vtkAMREnzoReader>(path);

@@ -50,7 +50,9 @@ def write_vthb(folder, cells):
 def write_plotfile(folder, blocks):
     """The header of an AMReX plotfile of one level of 4^3 cells, which says so many blocks."""
     write(folder, "Header", """HyperCLaw-V1.1
-        1 density 3 0 0
+        1
+        density
+        3 0 0
         0 0 0 1 1 1
         ((0,0,0) (3,3,3) (0,0,0))
         0 0.25 0.25 0.25 0 0
@@ -184,15 +186,14 @@ class RenderProgramTest(unittest.TestCase):
         # The sanitizers would end the program where memory runs out; VTK's readers lose what they had when they throw.
         options = os.environ.get("ASAN_OPTIONS", "") + ":allocator_may_return_null=1:detect_leaks=0"
         env = dict(os.environ, ASAN_OPTIONS=options)
-        for name, make in (
-            ("2^60 cells", lambda folder: write_vthb(folder, 2**20)),
-            ("-1 blocks", lambda folder: write_plotfile(folder, -1)),
+        for name, make, words in (
+            ("2^60 cells", lambda folder: write_vthb(folder, 2**20), ["memory", "header", "copied whole", "--levels"]),
+            ("-1 blocks", lambda folder: write_plotfile(folder, -1), ["is damaged", "number of boxes", "-1", "'Header'"]),
         ):
             for option in ([], ["--list-arrays"]):
                 with self.subTest(name, option=option), tempfile.TemporaryDirectory() as folder:
                     path = make(folder)
-                    self.refused(INPUT_UNREADABLE, [path, "memory", "header", "copied whole", "--levels"],
-                        path, self.png, *option, env=env)
+                    self.refused(INPUT_UNREADABLE, [path, *words], path, self.png, *option, env=env)
 
     # Output
 

@@ -10,6 +10,7 @@ import exabricks
 assert set(exabricks.__all__) == {
     "vtkExaBricksBuilder",
     "vtkExaBricksData",
+    "vtkExaBricksFileCheck",
     "vtkExaBricksPicker",
     "vtkExaBricksSceneSource",
     "vtkExaBricksVolumeMapper",

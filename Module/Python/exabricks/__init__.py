@@ -12,6 +12,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from .vtkRenderingVolumeExaBricks import (
     vtkExaBricksBuilder,
     vtkExaBricksData,
+    vtkExaBricksFileCheck,
     vtkExaBricksPicker,
     vtkExaBricksSceneSource,
     vtkExaBricksVolumeMapper,
@@ -22,6 +23,7 @@ __version__ = "0.1.0"
 __all__ = [
     "vtkExaBricksBuilder",
     "vtkExaBricksData",
+    "vtkExaBricksFileCheck",
     "vtkExaBricksPicker",
     "vtkExaBricksSceneSource",
     "vtkExaBricksVolumeMapper",
