@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One picture by vtkExaBricksVolumeMapper: how coarse it may be, what overlaps the volume, and the
+// way of both into the window.
+#include "vtkExaBricksVolumeMapperInternals.h"
+
+#include "Adapters/CutawayInput.h"
+#include "Adapters/LightingInput.h"
+#include "Adapters/ViewInput.h"
+#include "Core/Stopwatch.h"
+#include "Vulkan/JointPicture.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// Of the bounds, half cells.
+glm::dvec3 sizeOf(const exabricks::BrickedVolume& bricked)
+{
+  return glm::dvec3(bricked.volume.structure->tree.size);
+}
+
+// Whether nothing was uploaded, compiled, selected or searched for a picture.
+bool madeNothing(const exabricks::VolumeRenderer::Statistics& before,
+  const exabricks::VolumeRenderer::Statistics& after)
+{
+  return before.structureUploads == after.structureUploads &&
+    before.valueUploads == after.valueUploads && before.pipelineBuilds == after.pipelineBuilds &&
+    before.colorTime == after.colorTime && before.opacityTime == after.opacityTime &&
+    (before.samplingTime == after.samplingTime || after.samplingTime == 0.0);
+}
+}
+
+exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* ren, vtkVolume* vol,
+  const exabricks::BrickedVolume& bricked, int width, int height) const
+{
+  exabricks::View view = exabricks::makeView(ren, vol, bricked, width, height);
+  view.quality.reconstruction = this->FindReconstruction(vol->GetProperty());
+  view.quality.stepScale = this->Self->StepScale;
+  view.quality.sampleDistance = this->Self->SampleDistance;
+  view.quality.jittered = this->Self->UseJittering;
+  view.quality.errorTolerance = this->Self->ErrorTolerance;
+  view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
+  view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
+  view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;
+  view.blending = exabricks::findBlending(this->Self);
+  view.averageRanges = exabricks::findAverageRanges(this->Self, bricked.volume);
+  view.slicePlane = exabricks::findSlicePlane(vol, bricked);
+  view.isoValues = exabricks::findIsoValues(vol->GetProperty(), bricked.volume.values->range);
+  if (this->UsesNanColor(vol->GetProperty(), bricked))
+  {
+    view.undefinedColor = exabricks::findNanColor(vol->GetProperty());
+  }
+  view.lighting = exabricks::makeLighting(ren, vol, bricked);
+  return view;
+}
+
+// Renders the picture and puts it into the window, or what a selector wants to know of it.
+std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked)
+{
+  if (ren->GetSelector())
+  {
+    const auto makeView = [&](int width, int height)
+    { return this->MakeView(ren, vol, bricked, width, height); };
+    return this->Compositor.drawSelection(ren, makeView, this->Renderer);
+  }
+  double rays = 0.0;
+  const auto makeView = [&](int width, int height)
+  {
+    if (this->Compositor.isFirstPass())
+    {
+      this->MeasurePasses(); // those of the picture before, of which none is known to be the last
+      this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, width, height);
+    }
+    const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
+    rays = static_cast<double>(view.target.width) * view.target.height;
+    return view;
+  };
+  const auto progress = [&](double done)
+  {
+    this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
+    this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
+    return !this->Aborted;
+  };
+  const std::vector<Overlapping> others = this->FindOverlapping(ren, vol);
+  const exabricks::VolumeRenderer::Statistics before = this->Renderer.statistics();
+  const exabricks::Stopwatch watch;
+  double marching = 0.0;
+  const std::optional<std::string> fault = this->Compositor.draw(this->Self, ren, vol, makeView,
+    { this->Self->FinalColorWindow, this->Self->FinalColorLevel },
+    [&](const exabricks::View& view, exabricks::Pixels& picture)
+    { return this->RenderPicture(ren, bricked, others, view, picture, marching, progress); });
+  if (fault && fault->empty())
+  {
+    // What is made once does not count for the pictures after this one.
+    const bool steady = madeNothing(before, this->Renderer.statistics());
+    this->RaysOfPasses = rays;
+    this->MarchingOfPasses += marching;
+    this->OtherOfPasses += steady ? watch.seconds() - marching : 0.0;
+    if (!this->Compositor.isPeeling())
+    {
+      this->MeasurePasses();
+    }
+    this->InteractiveTime = this->Self->GetMTime();
+    for (const Overlapping& other : others)
+    {
+      other.internals->DrawnWithOther.set(ren, true);
+    }
+  }
+  return fault;
+}
+
+// The renderer's other volumes that overlap this one, or one of them, brought up to date. Those
+// that cannot be drawn are left to say so themselves.
+std::vector<vtkExaBricksVolumeMapper::vtkInternals::Overlapping>
+vtkExaBricksVolumeMapper::vtkInternals::FindOverlapping(vtkRenderer* ren, vtkVolume* vol)
+{
+  std::vector<Overlapping> found;
+  if (this->Self->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return found;
+  }
+  std::vector<vtkBoundingBox> boxes{ vtkBoundingBox(vol->GetBounds()) };
+  const auto overlaps = [&](const vtkBoundingBox& box)
+  {
+    return std::any_of(boxes.begin(), boxes.end(),
+      [&](const vtkBoundingBox& other)
+      {
+        vtkBoundingBox common = box;
+        return common.IntersectBox(other) != 0 && common.GetLength(0) > 0.0 &&
+          common.GetLength(1) > 0.0 && common.GetLength(2) > 0.0;
+      });
+  };
+  std::set<vtkVolume*> members{ vol };
+  vtkVolumeCollection* volumes = ren->GetVolumes();
+  for (bool grows = true; grows;)
+  {
+    grows = false;
+    vtkCollectionSimpleIterator place;
+    volumes->InitTraversal(place);
+    while (vtkVolume* other = volumes->GetNextVolume(place))
+    {
+      auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(other->GetMapper());
+      if (!mapper || !other->GetVisibility() || members.count(other) > 0 ||
+        mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
+        mapper->GetFinalColorWindow() != this->Self->FinalColorWindow ||
+        mapper->GetFinalColorLevel() != this->Self->FinalColorLevel || !other->GetBounds() ||
+        !vtkMath::AreBoundsInitialized(other->GetBounds()) ||
+        !overlaps(vtkBoundingBox(other->GetBounds())))
+      {
+        continue;
+      }
+      members.insert(other);
+      mapper->Update();
+      vtkInternals& internals = *mapper->Internals;
+      auto bricked = internals.GetBrickedVolume();
+      if (bricked && exabricks::checkWithoutData(mapper, other).refused.empty() &&
+        internals.CheckData(other->GetProperty(), *bricked).empty())
+      {
+        internals.UpdateRenderer(other->GetProperty(), bricked);
+        boxes.emplace_back(other->GetBounds());
+        found.push_back({ other, &internals, std::move(bricked) });
+        grows = true;
+      }
+    }
+  }
+  return found;
+}
+
+// The volume's picture, with all that overlaps it.
+std::string vtkExaBricksVolumeMapper::vtkInternals::RenderPicture(vtkRenderer* ren,
+  const exabricks::BrickedVolume& bricked, const std::vector<Overlapping>& others,
+  const exabricks::View& view, exabricks::Pixels& picture, double& marching,
+  const exabricks::VolumeRenderer::Progress& progress)
+{
+  if (others.empty())
+  {
+    const std::string fault = this->Renderer.render(view, picture, progress);
+    marching += this->Renderer.statistics().marchTime;
+    return fault;
+  }
+  std::vector<exabricks::JointVolume> volumes{ { &this->Renderer, view, sizeOf(bricked) } };
+  for (const Overlapping& other : others)
+  {
+    exabricks::View beside = other.internals->MakeView(
+      ren, other.volume, *other.bricked, view.target.width, view.target.height);
+    beside.quality.stepGrowth = view.quality.stepGrowth;
+    beside.quality.keepsSampling = view.quality.keepsSampling;
+    volumes.push_back({ &other.internals->Renderer, beside, sizeOf(*other.bricked) });
+  }
+  return exabricks::renderJointly(volumes, view.target, picture, marching, progress);
+}
+
+void vtkExaBricksVolumeMapper::vtkInternals::MeasurePasses()
+{
+  this->Interactive.measured(
+    this->Coarseness, this->RaysOfPasses, this->MarchingOfPasses, this->OtherOfPasses);
+  this->RaysOfPasses = this->MarchingOfPasses = this->OtherOfPasses = 0.0;
+}
+
+// Whether sample distances are chosen for the time allocated to the picture.
+bool vtkExaBricksVolumeMapper::vtkInternals::AdjustsSampleDistances(vtkRenderer* ren) const
+{
+  return this->Self->InteractiveAdjustSampleDistances
+    ? ren->GetRenderWindow()->GetDesiredUpdateRate() >= this->Self->InteractiveUpdateRate
+    : this->Self->AutoAdjustSampleDistances != 0;
+}
+
+exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height)
+{
+  if (!this->AdjustsSampleDistances(ren))
+  {
+    return { this->Self->ImageSampleDistance, 1.0 };
+  }
+  const double seconds = vol->GetAllocatedRenderTime();
+  const double pixels = static_cast<double>(width) * height;
+  const exabricks::InteractiveSampling::Limits limits{ this->Self->MinimumImageSampleDistance,
+    this->Self->MaximumImageSampleDistance };
+  if (this->Self->GetMTime() > this->InteractiveTime)
+  {
+    this->Interactive.forget();
+  }
+  if (!this->Interactive.knows())
+  {
+    // Few of its pixels tell how long the picture takes.
+    this->Coarseness = this->Interactive.choose(seconds, pixels, limits);
+    const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
+    std::vector<glm::vec4> picture;
+    if (this->Renderer.render(view, picture).empty())
+    {
+      this->Interactive.measured(this->Coarseness,
+        static_cast<double>(view.target.width) * view.target.height,
+        this->Renderer.statistics().marchTime, 0.0);
+      this->InteractiveTime = this->Self->GetMTime();
+    }
+  }
+  return this->Interactive.choose(seconds, pixels, limits);
+}
+
+// A view of so many pixels with the rays and steps that were chosen.
+exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeCoarseView(vtkRenderer* ren,
+  vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height) const
+{
+  const double distance = this->Coarseness.imageSampleDistance;
+  exabricks::View view = this->MakeView(ren, vol, bricked, exabricks::thinnedSize(width, distance),
+    exabricks::thinnedSize(height, distance));
+  view.quality.stepGrowth = this->Coarseness.stepGrowth;
+  view.quality.keepsSampling = this->AdjustsSampleDistances(ren);
+  return view;
+}
