@@ -12,9 +12,9 @@ view = make_view(400, 300)
 display = show(scene, view)
 look_at(scene, view)
 display.OpacityUnitDistance = 8.0
-display.StepScale = 0.002  # so slow that no machine has the time
-still = picture(view, "still")
+display.StepScale = 0.01  # so slow that no machine has the time
 simple.Render(view)
+still = picture(view, "still")
 assert "a ray in" not in statistics(display), statistics(display)
 
 
@@ -30,5 +30,5 @@ moving = min(taken(view.SMProxy.InteractiveRender) for _ in range(3))
 print(f"still {whole:.3f} s, moving {moving:.3f} s: {statistics(display)}")
 assert "a ray in" in statistics(display), statistics(display)
 assert moving < 0.5 * whole, (moving, whole)
-assert decibel(picture(view, "stillAgain"), still) == math.inf
+expect_alike(picture(view, "stillAgain"), still, 200.0, "still again")
 collector.expect_silence()
