@@ -118,7 +118,6 @@ def main(program, count=100, seed=1, plotfile=None, array="density"):
 
         def render(path):
             picture.unlink(missing_ok=True)
-            # What a header says of bounds and cells chooses the camera: it is kept.
             return subprocess.run([program, path, picture, "--array", array, "--size", "64x48"], timeout=SECONDS,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
 
