@@ -41,6 +41,16 @@ namespace
 constexpr int DATA = 0;
 constexpr int OUTLINE = 1;
 
+// What is set for one component is set for all: there is one color map, and one material.
+template <typename Set>
+void forEachComponent(const Set& set)
+{
+  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
+  {
+    set(component);
+  }
+}
+
 vtkBoundingBox findBounds(vtkOverlappingAMR* amr)
 {
   vtkBoundingBox box;
@@ -300,66 +310,43 @@ void vtkExaBricksRepresentation::SetPickable(int pickable) { this->Volume->SetPi
 
 void vtkExaBricksRepresentation::SetColor(vtkColorTransferFunction* color)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetColor(component, color);
-  }
+  forEachComponent([&](int component) { this->Property->SetColor(component, color); });
 }
 
 void vtkExaBricksRepresentation::SetScalarOpacity(vtkPiecewiseFunction* opacity)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetScalarOpacity(component, opacity);
-  }
+  forEachComponent([&](int component) { this->Property->SetScalarOpacity(component, opacity); });
 }
 
 void vtkExaBricksRepresentation::SetScalarOpacityUnitDistance(double distance)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetScalarOpacityUnitDistance(component, distance);
-  }
+  forEachComponent(
+    [&](int component) { this->Property->SetScalarOpacityUnitDistance(component, distance); });
 }
 
 void vtkExaBricksRepresentation::SetShading(bool shading)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetShade(component, shading);
-  }
+  forEachComponent([&](int component) { this->Property->SetShade(component, shading); });
 }
 
 void vtkExaBricksRepresentation::SetAmbient(double ambient)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetAmbient(component, ambient);
-  }
+  forEachComponent([&](int component) { this->Property->SetAmbient(component, ambient); });
 }
 
 void vtkExaBricksRepresentation::SetDiffuse(double diffuse)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetDiffuse(component, diffuse);
-  }
+  forEachComponent([&](int component) { this->Property->SetDiffuse(component, diffuse); });
 }
 
 void vtkExaBricksRepresentation::SetSpecular(double specular)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetSpecular(component, specular);
-  }
+  forEachComponent([&](int component) { this->Property->SetSpecular(component, specular); });
 }
 
 void vtkExaBricksRepresentation::SetSpecularPower(double power)
 {
-  for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
-  {
-    this->Property->SetSpecularPower(component, power);
-  }
+  forEachComponent([&](int component) { this->Property->SetSpecularPower(component, power); });
 }
 
 void vtkExaBricksRepresentation::SetNumberOfIsosurfaceValues(int count)

@@ -1,7 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Iso-surfaces, slices, cropping, a range of levels, the material, arrays of two components and two arrays."""
 
+import textwrap
+
 from Support import *
+
+
+
+def change_cells(script):
+    """The scene with `cells`, the cell data of each block, changed by a script."""
+    changed = simple.ProgrammableFilter(Input=scene, CopyArrays=1)
+    changed.Script = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+output = self.GetOutputDataObject(0)
+output.ShallowCopy(self.GetInputDataObject(0, 0))
+place = output.NewIterator()
+place.InitTraversal()
+while not place.IsDoneWithTraversal():
+    cells = place.GetCurrentDataObject().GetCellData()
+""" + textwrap.indent(script, "    ") + """
+    place.GoToNextItem()
+"""
+    return changed
+
 
 load_plugin()
 collector = Collector()
@@ -59,24 +80,15 @@ expect_alike(picture(view, "allLevels"), whole, 60.0, "all levels again")
 collector.expect_silence()
 
 # Of two components the first one has colors, the second one opacity.
-pair = simple.ProgrammableFilter(Input=scene, CopyArrays=1)
-pair.Script = """
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-output = self.GetOutputDataObject(0)
-output.ShallowCopy(self.GetInputDataObject(0, 0))
-place = output.NewIterator()
-place.InitTraversal()
-while not place.IsDoneWithTraversal():
-    cells = place.GetCurrentDataObject().GetCellData()
-    both = vtkDoubleArray()
-    both.SetName("both")
-    both.SetNumberOfComponents(2)
-    both.SetNumberOfTuples(cells.GetNumberOfTuples())
-    for component in range(2):
-        both.CopyComponent(component, cells.GetArray("value"), 0)
-    cells.AddArray(both)
-    place.GoToNextItem()
-"""
+pair = change_cells("""
+both = vtkDoubleArray()
+both.SetName("both")
+both.SetNumberOfComponents(2)
+both.SetNumberOfTuples(cells.GetNumberOfTuples())
+for component in range(2):
+    both.CopyComponent(component, cells.GetArray("value"), 0)
+cells.AddArray(both)
+""")
 simple.Hide(scene, view)
 both = simple.Show(pair, view)
 both.SetRepresentationType("ExaBricks")
@@ -118,23 +130,14 @@ expect_alike(picture(view, "noSecondArray"), whole, 60.0, "no other array")
 collector.expect_silence()
 
 # Cells without a value, in the color map's color of them.
-holes = simple.ProgrammableFilter(Input=scene, CopyArrays=1)
-holes.Script = """
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-output = self.GetOutputDataObject(0)
-output.ShallowCopy(self.GetInputDataObject(0, 0))
-place = output.NewIterator()
-place.InitTraversal()
-while not place.IsDoneWithTraversal():
-    cells = place.GetCurrentDataObject().GetCellData()
-    values = vtkDoubleArray()
-    values.DeepCopy(cells.GetArray("value"))
-    values.SetName("value")
-    for i in range(0, values.GetNumberOfTuples(), 2):
-        values.SetValue(i, float("nan"))
-    cells.AddArray(values)
-    place.GoToNextItem()
-"""
+holes = change_cells("""
+values = vtkDoubleArray()
+values.DeepCopy(cells.GetArray("value"))
+values.SetName("value")
+for i in range(0, values.GetNumberOfTuples(), 2):
+    values.SetValue(i, float("nan"))
+cells.AddArray(values)
+""")
 simple.Hide(pair, view)
 gaps = show(holes, view)
 gaps.OpacityUnitDistance = 8.0

@@ -300,7 +300,7 @@ TEST(PictureAccuracy, CandidatesTakeTheLevelBoundariesOutOfThePicture)
   }
 }
 
-TEST_P(AcrossRatios, NormalsOfCompletedTurnNoMoreAcrossLevelsThanInside)
+TEST_P(AcrossRatios, NormalsOfCompletedTurnAboutAsMuchAcrossLevelsAsInside)
 {
   const Grid grid = makeBoxGrid(GetParam(), 16);
   const Field field = bell();

@@ -239,6 +239,14 @@ def decibels(picture, truth):
     return math.inf if error == 0.0 else -10.0 * math.log10(error)
 
 
+def write_csv(path, lines):
+    """Of lines with the same keys, which head the columns."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, lines[0].keys())
+        writer.writeheader()
+        writer.writerows(lines)
+
+
 def main(folder, pixels=512, cells=128, rounds=5):
     amr = read()
     image = resample(amr, cells)
@@ -261,10 +269,7 @@ def main(folder, pixels=512, cells=128, rounds=5):
                 "cpu_ms": round(statistics.median(method.cpu[1:]), 3),
                 "db": round(decibels(method.picture(), truth), 3)})
             print(*lines[-1].values(), sep=", ", flush=True)
-    with open(pathlib.Path(folder) / "features.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, lines[0].keys())
-        writer.writeheader()
-        writer.writerows(lines)
+    write_csv(pathlib.Path(folder) / "features.csv", lines)
 
 
 if __name__ == "__main__":

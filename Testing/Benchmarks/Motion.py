@@ -9,13 +9,12 @@ many leaf cells. Errors are those of the pixels drawn in either picture beside o
 where VTK's mappers have theirs from the resampling too. The first picture at a rate does not count.
 """
 
-import csv
 import pathlib
 import statistics
 import sys
 import time
 
-from FeatureCosts import FINEST, Method, decibels, exabricks, make_peer, plain, read, resample
+from FeatureCosts import FINEST, Method, decibels, exabricks, make_peer, plain, read, resample, write_csv
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
@@ -114,10 +113,7 @@ def main(folder, height=600, frames=24, *clouds):
                     "distance": round(method.mapper.GetUsedImageSampleDistance(), 2) if ours else "",
                     "growth": round(method.mapper.GetUsedStepGrowth(), 2) if ours else ""})
                 print(*lines[-1].values(), sep=", ", flush=True)
-    with open(pathlib.Path(folder) / "motion.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, lines[0].keys())
-        writer.writeheader()
-        writer.writerows(lines)
+    write_csv(pathlib.Path(folder) / "motion.csv", lines)
 
 
 if __name__ == "__main__":
