@@ -226,6 +226,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   internals.Report(exabricks::checkLights(ren, vol));
   if (internals.DrawnWithOther.is(ren) && !ren->GetSelector())
   {
+    internals.ReportFault({});
     internals.Drawn.set(ren, true);
     return;
   }

@@ -25,7 +25,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   exabricks::VolumeRenderer Renderer;
   exabricks::Compositor Compositor;
   exabricks::DrawnRenderers Drawn;
-  exabricks::DrawnRenderers DrawnWithOther; // in the picture of a volume that overlaps this one
+  // In the picture of a volume that overlaps the one that this mapper draws.
+  exabricks::DrawnRenderers DrawnWithOther;
 
   // What the renderer was last given.
   std::shared_ptr<const exabricks::BrickedVolume> Bricked;
@@ -88,6 +89,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
     std::shared_ptr<const exabricks::BrickedVolume> bricked;
   };
   std::vector<Overlapping> FindOverlapping(vtkRenderer* ren, vtkVolume* vol);
+  bool MayJoin(vtkRenderer* ren, vtkVolume* candidate, const std::vector<vtkVolume*>& all) const;
+  std::shared_ptr<const exabricks::BrickedVolume> MakeReady(vtkVolume* vol);
   std::string RenderPicture(vtkRenderer* ren, const exabricks::BrickedVolume& bricked,
     const std::vector<Overlapping>& others, const exabricks::View& view, exabricks::Pixels& picture,
     double& marching, const exabricks::VolumeRenderer::Progress& progress);

@@ -12,6 +12,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkMath.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -19,6 +20,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -26,6 +28,20 @@ namespace
 glm::dvec3 sizeOf(const exabricks::BrickedVolume& bricked)
 {
   return glm::dvec3(bricked.volume.structure->tree.size);
+}
+
+// All that the renderer shows, parts of assemblies too; VTK makes the list anew when it is asked.
+std::vector<vtkVolume*> listVolumes(vtkRenderer* ren)
+{
+  std::vector<vtkVolume*> all;
+  vtkVolumeCollection* volumes = ren->GetVolumes();
+  vtkCollectionSimpleIterator place;
+  volumes->InitTraversal(place);
+  while (vtkVolume* volume = volumes->GetNextVolume(place))
+  {
+    all.push_back(volume);
+  }
+  return all;
 }
 
 // Whether nothing was uploaded, compiled, selected or searched for a picture.
@@ -114,9 +130,33 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     for (const Overlapping& other : others)
     {
       other.internals->DrawnWithOther.set(ren, true);
+      other.internals->Coarseness = this->Coarseness;
     }
   }
   return fault;
+}
+
+// Whether a volume that overlaps this one can be drawn with it: it is the renderer's own, and not a
+// part of another prop, which has a place and a visibility of its own; no other one has its mapper;
+// and it has not been drawn alone yet.
+bool vtkExaBricksVolumeMapper::vtkInternals::MayJoin(
+  vtkRenderer* ren, vtkVolume* candidate, const std::vector<vtkVolume*>& all) const
+{
+  auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(candidate->GetMapper());
+  if (!mapper || !candidate->GetVisibility() || mapper->GetNumberOfInputConnections(0) == 0 ||
+    mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
+    mapper->GetFinalColorWindow() != this->Self->FinalColorWindow ||
+    mapper->GetFinalColorLevel() != this->Self->FinalColorLevel ||
+    ren->GetViewProps()->IsItemPresent(candidate) == 0)
+  {
+    return false;
+  }
+  const auto volumesOfMapper = std::count_if(
+    all.begin(), all.end(), [&](vtkVolume* volume) { return volume->GetMapper() == mapper; });
+  const vtkInternals& internals = *mapper->Internals;
+  const bool drawnAlone =
+    mapper != this->Self && internals.Drawn.is(ren) && !internals.DrawnWithOther.is(ren);
+  return volumesOfMapper == 1 && !drawnAlone;
 }
 
 // The renderer's other volumes that overlap this one, or one of them, brought up to date. Those
@@ -125,7 +165,8 @@ std::vector<vtkExaBricksVolumeMapper::vtkInternals::Overlapping>
 vtkExaBricksVolumeMapper::vtkInternals::FindOverlapping(vtkRenderer* ren, vtkVolume* vol)
 {
   std::vector<Overlapping> found;
-  if (this->Self->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  const std::vector<vtkVolume*> all = listVolumes(ren);
+  if (!this->MayJoin(ren, vol, all))
   {
     return found;
   }
@@ -140,40 +181,55 @@ vtkExaBricksVolumeMapper::vtkInternals::FindOverlapping(vtkRenderer* ren, vtkVol
           common.GetLength(1) > 0.0 && common.GetLength(2) > 0.0;
       });
   };
-  std::set<vtkVolume*> members{ vol };
-  vtkVolumeCollection* volumes = ren->GetVolumes();
-  for (bool grows = true; grows;)
-  {
-    grows = false;
-    vtkCollectionSimpleIterator place;
-    volumes->InitTraversal(place);
-    while (vtkVolume* other = volumes->GetNextVolume(place))
+  std::vector<vtkVolume*> candidates;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(candidates),
+    [&](vtkVolume* other)
     {
-      auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(other->GetMapper());
-      if (!mapper || !other->GetVisibility() || members.count(other) > 0 ||
-        mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
-        mapper->GetFinalColorWindow() != this->Self->FinalColorWindow ||
-        mapper->GetFinalColorLevel() != this->Self->FinalColorLevel || !other->GetBounds() ||
-        !vtkMath::AreBoundsInitialized(other->GetBounds()) ||
-        !overlaps(vtkBoundingBox(other->GetBounds())))
-      {
-        continue;
-      }
-      members.insert(other);
-      mapper->Update();
-      vtkInternals& internals = *mapper->Internals;
-      auto bricked = internals.GetBrickedVolume();
-      if (bricked && exabricks::checkWithoutData(mapper, other).refused.empty() &&
-        internals.CheckData(other->GetProperty(), *bricked).empty())
-      {
-        internals.UpdateRenderer(other->GetProperty(), bricked);
-        boxes.emplace_back(other->GetBounds());
-        found.push_back({ other, &internals, std::move(bricked) });
-        grows = true;
-      }
+      return other != vol && this->MayJoin(ren, other, all) && other->GetBounds() &&
+        vtkMath::AreBoundsInitialized(other->GetBounds());
+    });
+  while (true)
+  {
+    const auto next = std::find_if(candidates.begin(), candidates.end(),
+      [&](vtkVolume* other) { return overlaps(vtkBoundingBox(other->GetBounds())); });
+    if (next == candidates.end())
+    {
+      return found;
+    }
+    vtkVolume* const other = *next;
+    candidates.erase(next);
+    vtkInternals& internals =
+      *vtkExaBricksVolumeMapper::SafeDownCast(other->GetMapper())->Internals;
+    if (auto bricked = internals.MakeReady(other))
+    {
+      boxes.emplace_back(other->GetBounds());
+      found.push_back({ other, &internals, std::move(bricked) });
     }
   }
-  return found;
+}
+
+// Brings a volume up to date to be drawn with another one. Null: it cannot be drawn, and will say
+// why when it is to be drawn itself.
+std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksVolumeMapper::vtkInternals::MakeReady(
+  vtkVolume* vol)
+{
+  this->Self->Update();
+  auto bricked = this->GetBrickedVolume();
+  if (!bricked || !exabricks::checkWithoutData(this->Self, vol).refused.empty() ||
+    !this->CheckData(vol->GetProperty(), *bricked).empty())
+  {
+    return nullptr;
+  }
+  try
+  {
+    this->UpdateRenderer(vol->GetProperty(), bricked);
+    return this->Renderer.prepare().empty() ? bricked : nullptr;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Bricked.reset();
+    return nullptr;
+  }
 }
 
 // The volume's picture, with all that overlaps it.

@@ -48,11 +48,11 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
     return std::string();
   }
   this->Peeling = this->Peel.begin(mapper, vol);
-  View view = makeView(viewport.width, viewport.height);
   if (this->Peeling)
   {
-    return this->DrawPeel(window, viewport, view, colors, render);
+    return this->DrawPeel(window, viewport, makeView, colors, render);
   }
+  View view = makeView(viewport.width, viewport.height);
   const OpaqueDepth opaque = readDepth(window, viewport, this->Depth);
   if (opaque == OpaqueDepth::Refused)
   {
@@ -160,7 +160,8 @@ void Compositor::RestrictDepth(
 }
 
 std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
-  const Viewport& viewport, View view, const ColorWindow& colors, const Render& render)
+  const Viewport& viewport, const std::function<View(int width, int height)>& makeView,
+  const ColorWindow& colors, const Render& render)
 {
   RayPieces back;
   RayPieces front;
@@ -169,6 +170,7 @@ std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,
     return "expected OpenGL to run the shader of VTK's depth peeling, it refused. Call "
            "SetUseDepthPeelingForVolumes(false) of the renderer";
   }
+  View view = makeView(viewport.width, viewport.height);
   if (!back.any && !front.any)
   {
     return this->Peel.isFirst() ? std::make_optional<std::string>() : std::nullopt;

@@ -31,7 +31,7 @@ public:
     const Render& render);
 
   /// Whether the volume is drawn in passes, one for each layer of translucent geometry, and whether
-  /// this pass is the first one of a picture. Holds from the call of `makeView` on.
+  /// this pass is the first one of a picture. Known when draw() calls `makeView`, and after it.
   bool isPeeling() const { return this->Peeling; }
   bool isFirstPass() const { return !this->Peeling || this->Peel.isFirst(); }
 
@@ -48,7 +48,8 @@ private:
   void RestrictDepth(
     vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4]);
   std::optional<std::string> DrawPeel(vtkOpenGLRenderWindow* window, const Viewport& viewport,
-    View view, const ColorWindow& colors, const Render& render);
+    const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
+    const Render& render);
 
   OpenGLPicture Picture;
   DepthPeel Peel;

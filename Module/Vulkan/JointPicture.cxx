@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/JointPicture.h"
 
+#include "Core/DepthRange.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -20,70 +22,59 @@ struct Depths
   double to;
 };
 
+bool meet(const Depths& a, const Depths& b) { return a.from < b.to && b.from < a.to; }
+
 // Between which the bounds lie; from the near plane on, where some of them are behind the eye.
 Depths findDepths(const JointVolume& volume)
 {
-  const glm::dmat4 toNdc = glm::inverse(volume.view.camera.ndcToHalfCells);
-  const double before = volume.view.camera.ndcToHalfCells[3].w;
-  Depths depths{ 1.0, -1.0 };
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec3 place(corner & 1 ? volume.size.x : 0.0, corner & 2 ? volume.size.y : 0.0,
-      corner & 4 ? volume.size.z : 0.0);
-    const glm::dvec4 seen = toNdc * glm::dvec4(place, 1.0);
-    if (!(before * seen.w > 0.0))
-    {
-      return { -1.0, 1.0 };
-    }
-    depths.from = std::min(depths.from, seen.z / seen.w);
-    depths.to = std::max(depths.to, seen.z / seen.w);
-  }
-  return { std::clamp(depths.from, -1.0, 1.0), std::clamp(depths.to, -1.0, 1.0) };
+  const DepthRange range = findDepthRange(volume.view.camera.ndcToHalfCells, volume.size);
+  return { range.allBeforeEye ? std::clamp(range.from, -1.0, 1.0) : -1.0,
+    std::clamp(range.to, -1.0, 1.0) };
 }
 
-// Those that at least two volumes have in common; nothing of them: from behind to.
-Depths findShared(const std::vector<Depths>& all)
+// Lengths along the middle of the picture, half cells.
+class MiddleRay
 {
-  Depths shared{ 1.0, -1.0 };
-  for (std::size_t i = 0; i < all.size(); ++i)
+public:
+  explicit MiddleRay(const glm::dmat4& ndcToHalfCells)
+    : NdcToHalfCells(ndcToHalfCells)
   {
-    for (std::size_t k = i + 1; k < all.size(); ++k)
+  }
+
+  double length(const Depths& depths) const
+  {
+    return glm::distance(this->Place(depths.from), this->Place(depths.to));
+  }
+
+  // The ends of layers of the same thickness, ascending.
+  std::vector<double> cutEvenly(const Depths& depths, int layers) const
+  {
+    const double whole = this->length(depths);
+    std::vector<double> ends{ depths.from };
+    for (int i = 1; i < layers; ++i)
     {
-      const Depths both{ std::max(all[i].from, all[k].from), std::min(all[i].to, all[k].to) };
-      if (both.from < both.to)
+      double before = ends.back();
+      double behind = depths.to;
+      for (int halving = 0; halving < 50; ++halving)
       {
-        shared = { std::min(shared.from, both.from), std::max(shared.to, both.to) };
+        const double half = 0.5 * (before + behind);
+        (this->length({ depths.from, half }) < whole * i / layers ? before : behind) = half;
       }
+      ends.push_back(behind);
     }
+    ends.push_back(depths.to);
+    return ends;
   }
-  return shared;
-}
 
-// The ends of layers of the same thickness along the middle of the picture, ascending.
-std::vector<double> cutEvenly(const Depths& depths, const glm::dmat4& ndcToHalfCells)
-{
-  const auto place = [&](double depth)
+private:
+  glm::dvec3 Place(double depth) const
   {
-    const glm::dvec4 at = ndcToHalfCells * glm::dvec4(0.0, 0.0, depth, 1.0);
+    const glm::dvec4 at = this->NdcToHalfCells * glm::dvec4(0.0, 0.0, depth, 1.0);
     return glm::dvec3(at) / at.w;
-  };
-  const glm::dvec3 first = place(depths.from);
-  const double length = glm::distance(first, place(depths.to));
-  std::vector<double> ends{ depths.from };
-  for (int i = 1; i < JointLayers; ++i)
-  {
-    double before = ends.back();
-    double behind = depths.to;
-    for (int halving = 0; halving < 50; ++halving)
-    {
-      const double half = 0.5 * (before + behind);
-      (glm::distance(first, place(half)) < length * i / JointLayers ? before : behind) = half;
-    }
-    ends.push_back(behind);
   }
-  ends.push_back(depths.to);
-  return ends;
-}
+
+  const glm::dmat4 NdcToHalfCells;
+};
 
 float extinctionOf(float opacity)
 {
@@ -145,6 +136,7 @@ public:
     {
       this->Extents.push_back(findDepths(volume));
     }
+    this->CutAtEnds();
   }
 
   // Leaves the picture empty, if `progress` gives it up.
@@ -153,19 +145,10 @@ public:
   {
     picture.assign(this->Pixels, glm::vec4(0.0f));
     this->Progress = progress;
-    const Depths shared = findShared(this->Extents);
     std::string fault;
-    if (!(shared.from < shared.to))
+    for (std::size_t i = 0; i < this->Pieces.size() && fault.empty() && !this->GivenUp; ++i)
     {
-      this->Passes = 1;
-      fault = this->DrawLayer({ -1.0, 1.0 }, picture);
-    }
-    else
-    {
-      this->Passes = JointLayers + 3;
-      fault = this->DrawLayer({ -1.0, shared.from }, picture);
-      fault = fault.empty() ? this->DrawShared(shared, picture) : fault;
-      fault = fault.empty() ? this->DrawLayer({ shared.to, 1.0 }, picture) : fault;
+      fault = this->DrawPiece(this->Pieces[i], picture);
     }
     marching += this->Marching;
     if (this->GivenUp)
@@ -176,11 +159,52 @@ public:
   }
 
 private:
+  // Depths between which no volume begins or ends.
+  struct Piece
+  {
+    Depths depths;
+    int layers; // where more than one volume shows
+  };
+
+  void CutAtEnds()
+  {
+    std::vector<double> ends;
+    for (const Depths& extent : this->Extents)
+    {
+      ends.insert(ends.end(), { extent.from, extent.to });
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const MiddleRay ray(this->Volumes.front().view.camera.ndcToHalfCells);
+    double sharedLength = 0.0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    {
+      const Depths depths{ ends[i], ends[i + 1] };
+      const auto volumes = std::count_if(this->Extents.begin(), this->Extents.end(),
+        [&](const Depths& extent) { return meet(extent, depths); });
+      if (volumes > 0)
+      {
+        this->Pieces.push_back({ depths, volumes > 1 ? JointLayers : 0 });
+        sharedLength += volumes > 1 ? ray.length(depths) : 0.0;
+      }
+    }
+    for (Piece& piece : this->Pieces)
+    {
+      if (piece.layers > 0)
+      {
+        // As thick as they would be if all that is shared were one piece.
+        const double part = ray.length(piece.depths) / std::max(sharedLength, 1e-300);
+        piece.layers = std::max(1, static_cast<int>(std::ceil(JointLayers * part)));
+      }
+      this->Passes += 1 + piece.layers;
+    }
+  }
+
   // Where one volume alone shows, the depths need no layers.
-  std::string DrawShared(const Depths& shared, std::vector<glm::vec4>& picture)
+  std::string DrawPiece(const Piece& piece, std::vector<glm::vec4>& picture)
   {
     Layer whole;
-    std::string fault = this->Gather(shared, picture, nullptr, whole);
+    std::string fault = this->Gather(piece.depths, picture, nullptr, whole);
     if (!fault.empty() || this->GivenUp)
     {
       return fault;
@@ -190,22 +214,14 @@ private:
     {
       return {};
     }
-    const std::vector<double> ends =
-      cutEvenly(shared, this->Volumes.front().view.camera.ndcToHalfCells);
-    for (std::size_t i = 0; i + 1 < ends.size() && fault.empty(); ++i)
+    const std::vector<double> ends = MiddleRay(this->Volumes.front().view.camera.ndcToHalfCells)
+                                       .cutEvenly(piece.depths, piece.layers);
+    for (std::size_t i = 0; i + 1 < ends.size() && fault.empty() && !this->GivenUp; ++i)
     {
       Layer layer;
       fault = this->Gather({ ends[i], ends[i + 1] }, picture, &whole, layer);
       layer.putBehind(picture);
     }
-    return fault;
-  }
-
-  std::string DrawLayer(const Depths& depths, std::vector<glm::vec4>& picture)
-  {
-    Layer layer;
-    const std::string fault = this->Gather(depths, picture, nullptr, layer);
-    layer.putBehind(picture);
     return fault;
   }
 
@@ -216,7 +232,7 @@ private:
     bool restricted = false;
     for (std::size_t k = 0; k < this->Volumes.size() && !this->GivenUp; ++k)
     {
-      if (!(depths.from < this->Extents[k].to) || !(this->Extents[k].from < depths.to))
+      if (!meet(depths, this->Extents[k]))
       {
         continue;
       }
@@ -269,11 +285,12 @@ private:
   const Target& Whole;
   const std::size_t Pixels;
   std::vector<Depths> Extents; // [volume]
+  std::vector<Piece> Pieces;   // front to back
   std::vector<float> Begin;    // window depths in each pixel
   std::vector<float> End;
   std::vector<glm::vec4> Part;
   VolumeRenderer::Progress Progress;
-  double Passes = 1.0; // at most
+  double Passes = 0.0; // at most
   double Done = 0.0;
   double Marching = 0.0; // seconds
   bool GivenUp = false;

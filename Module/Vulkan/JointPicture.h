@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes that overlap, in one picture: what each of them absorbs and emits adds up.
 //
-// The depths that they share are cut into layers, in the pixels in which more than one of them
-// shows there. In each layer every volume is drawn by itself, and the pictures are put together as
-// those of one medium, whose extinction is the sum of theirs and in which each is spread evenly.
+// Depths are cut where a volume begins or ends, and drawn piece by piece from the front on. Those
+// that volumes share are cut into layers, in the pixels in which more than one of them shows there.
+// In each layer every volume is drawn by itself, and the pictures are put together as those of one
+// medium, whose extinction is the sum of theirs and in which each is spread evenly: of two opaque
+// surfaces in one layer the colours are mixed.
 #ifndef ExaBricksVulkanJointPicture_h
 #define ExaBricksVulkanJointPicture_h
 

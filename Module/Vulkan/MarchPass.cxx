@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/MarchPass.h"
 
+#include "Core/DepthRange.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -43,22 +45,12 @@ struct Depths
 // and the far plane, or nearer ones where all of the bounds is before the eye.
 Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
 {
-  const glm::dmat4 toNdc = glm::inverse(ndcToHalfCells);
-  const double before = ndcToHalfCells[3].w; // its sign is that of all that is before the eye
-  Depths depths{ 1.0, -1.0 };
-  for (int corner = 0; corner < 8; ++corner)
+  const DepthRange range = findDepthRange(ndcToHalfCells, size);
+  if (!range.allBeforeEye || !(range.from > -1e6 && range.to < 1e6))
   {
-    const glm::dvec3 place(
-      corner & 1 ? size.x : 0.0, corner & 2 ? size.y : 0.0, corner & 4 ? size.z : 0.0);
-    const glm::dvec4 seen = toNdc * glm::dvec4(place, 1.0);
-    const double depth = seen.z / seen.w;
-    if (!(before * seen.w > 0.0) || !(depth > -1e6 && depth < 1e6))
-    {
-      return {};
-    }
-    depths.first = std::min(depths.first, depth);
-    depths.second = std::max(depths.second, depth);
+    return {};
   }
+  Depths depths{ range.from, range.to };
   // Depths that are closer together than this are not told apart well enough.
   const double slack = 0.01 * std::max(depths.second - depths.first, 1e-6);
   depths.first = std::max(depths.first - slack, -1.0);

@@ -293,6 +293,7 @@ struct VolumeRenderer::Internals
     this->Update();
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
     {
+      this->Measured.marchTime = 0.0;
       this->ClearPicture(view, picture);
       return;
     }

@@ -89,7 +89,11 @@ int TestInteraction(int, char*[])
     const double decibel = test::Picture(window).Decibel(full);
     std::cout << "with translucent geometry: " << decibel << " dB\n";
     checks.Expect(decibel > 44.0, "with translucent geometry");
+    mapper->SetImageSampleDistance(8.0f);
+    window->Render();
     mapper->SetImageSampleDistance(1.0f);
+    checks.Equal(test::Picture(window).Difference(full), 0.0,
+      "all passes of a whole picture are whole, whatever was drawn before");
   }
   stage.renderer->SetUseDepthPeeling(false);
   stage.renderer->RemoveActor(square);

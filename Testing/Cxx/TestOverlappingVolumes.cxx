@@ -7,6 +7,7 @@
 #include "Stage.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -130,6 +131,74 @@ int TestOverlappingVolumes(int, char*[])
   checks.Expect(stage.mapper->GetDrawn() && !other.mapper->GetDrawn(), "which of them is drawn");
   other.mapper->SelectScalarArray("value");
   shows(whole, "both once more");
+
+  // One whose device is not there says so, and the other one is drawn.
+  other.mapper->SetDevice("abacus");
+  checks.Near(test::Picture(stage.window).Center()[0], expect({ { 8.0, 0.1, 0.0 } })[0],
+    test::OneStep, "beside one without a device");
+  checks.Says(messages.TakeErrors(), { "abacus" }, "one without a device");
+  checks.Expect(stage.mapper->GetDrawn() && !other.mapper->GetDrawn(), "drawn without a device");
+  other.mapper->SetDevice(nullptr);
+  shows(whole, "both with a device");
+
+  // A part of an assembly is where the assembly has it.
+  stage.renderer->RemoveVolume(other.volume);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(other.volume);
+  assembly->SetPosition(1000.0, 0.0, 0.0);
+  stage.renderer->AddActor(assembly);
+  checks.Near(test::Picture(stage.window).Center()[0], expect({ { 8.0, 0.1, 0.0 } })[0],
+    test::OneStep, "beside a part of an assembly that is elsewhere");
+  assembly->SetPosition(0.0, 0.0, 0.0);
+  assembly->VisibilityOff();
+  checks.Near(test::Picture(stage.window).Center()[0], expect({ { 8.0, 0.1, 0.0 } })[0],
+    test::OneStep, "beside a part of a hidden assembly");
+  stage.renderer->RemoveActor(assembly);
+  stage.renderer->AddVolume(other.volume);
+  shows(whole, "the renderer's own again");
+
+  // Volumes that share a mapper are drawn each for itself, wherever they are.
+  {
+    test::Stage shared(test::makeAMR(blocks, test::constant(1.0)), 60);
+    test::setConstantColor(shared.Property(), 1.0 - std::exp(-0.1), Red);
+    vtkNew<vtkVolume> second;
+    vtkNew<vtkVolume> third;
+    for (vtkVolume* volume : { second.Get(), third.Get() })
+    {
+      volume->SetMapper(shared.mapper);
+      volume->SetProperty(shared.Property());
+      shared.renderer->AddVolume(volume);
+    }
+    second->SetPosition(0.0, 0.0, 4.0);
+    third->SetPosition(16.0, 0.0, 0.0);
+    test::lookAlongZ(shared.renderer, 12.0, 4.0, 6.0, 24.0);
+    const test::Picture picture(shared.window);
+    checks.Near(picture.At(10, 30)[0], expect({ { 16.0, 0.1, 0.0 } })[0], 1.5 * test::OneStep,
+      "two of one mapper");
+    checks.Near(
+      picture.At(50, 30)[0], expect({ { 8.0, 0.1, 0.0 } })[0], test::OneStep, "a third one apart");
+  }
+
+  // Boxes that stand on edge side by side, of which bounds along the axes overlap, but no depths.
+  {
+    test::Stage opaque(test::makeAMR(blocks, test::constant(1.0)), 60);
+    test::setConstantColor(opaque.Property(), 1.0, Red);
+    Other behind(test::makeAMR(blocks, test::constant(1.0)));
+    test::setConstantColor(behind.volume->GetProperty(), 1.0, Green);
+    opaque.volume->RotateZ(45.0);
+    behind.volume->RotateZ(45.0);
+    behind.volume->SetPosition(-8.8 * std::sqrt(0.5), 8.8 * std::sqrt(0.5), 0.0);
+    opaque.renderer->AddVolume(behind.volume);
+    vtkCamera* camera = opaque.renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetFocalPoint(0.0, std::sqrt(32.0), 4.0);
+    camera->SetPosition(40.0, std::sqrt(32.0) - 40.0, 4.0);
+    opaque.renderer->ResetCameraClippingRange();
+    const test::Picture::Color color = test::Picture(opaque.window).Center();
+    checks.Near(color[0], 1.0, test::OneStep, "red in front");
+    checks.Near(color[1], 0.0, test::OneStep, "nothing of the green behind it");
+  }
 
   // Two fields at one place are two independent components of one volume.
   const auto pair = test::makeAMR(blocks, wave);
