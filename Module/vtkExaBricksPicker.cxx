@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExaBricksPicker.h"
 
-#include "Adapters/AMRCompatibility.h"
-#include "Adapters/BrickedVolume.h"
+#include "Adapters/BlockSearch.h"
 #include "Adapters/FirstSeen.h"
-#include "Core/CellSearch.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkExaBricksVolumeMapper.h"
 
-#include "vtkAMRBox.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 
 #include <cmath>
@@ -52,43 +46,6 @@ double distanceFromCamera(vtkCamera* camera, const double position[3])
   vtkMath::Subtract(position, camera->GetPosition(), way);
   return camera->GetParallelProjection() ? vtkMath::Dot(way, camera->GetDirectionOfProjection())
                                          : vtkMath::Norm(way);
-}
-
-bool isDuplicate(
-  vtkDataSet* block, const exabricks::BrickedVolume& bricked, double width, const glm::dvec3& cell)
-{
-  auto* grid = vtkImageData::SafeDownCast(block);
-  vtkUnsignedCharArray* ghosts = grid ? grid->GetCellGhostArray() : nullptr;
-  const glm::dvec3 middle = bricked.origin + bricked.spacing * (width * (cell + 0.5));
-  int ijk[3];
-  double fractions[3];
-  return ghosts && grid->ComputeStructuredCoordinates(&middle.x, ijk, fractions) &&
-    (ghosts->GetValue(grid->ComputeCellId(ijk)) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-}
-
-// The index of a block of the level that is there and holds the cell, at best not as a duplicate of
-// another block's; or -1.
-int findBlock(vtkOverlappingAMR* amr, const BrickedVolume& bricked, int level, double width,
-  const glm::dvec3& cell)
-{
-  const auto amrLevel = static_cast<unsigned int>(bricked.amrLevel[level]);
-  int found = -1;
-  for (unsigned int index = 0; index < exabricks::numberOfBlocks(amr, amrLevel); ++index)
-  {
-    const vtkAMRBox& box = amr->GetAMRBox(amrLevel, index);
-    vtkDataSet* block = exabricks::getBlock(amr, amrLevel, index);
-    if (!block ||
-      !box.Contains(static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z)))
-    {
-      continue;
-    }
-    if (!isDuplicate(block, bricked, width, cell))
-    {
-      return static_cast<int>(index);
-    }
-    found = found < 0 ? static_cast<int>(index) : found;
-  }
-  return found;
 }
 
 // The path's volume where one of ours draws it, and it may be picked.
@@ -217,29 +174,11 @@ void vtkExaBricksPicker::FindCell(
         ? std::numeric_limits<double>::quiet_NaN()
         : values.range.min + normalized * (values.range.max - values.range.min));
   }
-  // The cell may be the rest of a coarser one, which finer blocks cover in part.
-  const std::vector<std::int64_t>& widths = structure.hierarchy.cellWidth;
-  for (int level = structure.bricks[leaf->brick].level; level >= 0; --level)
-  {
-    const double width = static_cast<double>(widths[level]);
-    const glm::dvec3 cell = glm::floor((glm::dvec3(leaf->lo) + 0.5) / width);
-    const int block = findBlock(amr, bricked, level, width, cell);
-    if (block < 0)
-    {
-      continue;
-    }
-    this->Level = bricked.amrLevel[level];
-    this->Block = block;
-    auto* grid = vtkImageData::SafeDownCast(exabricks::getBlock(
-      amr, static_cast<unsigned int>(this->Level), static_cast<unsigned int>(block)));
-    const glm::dvec3 middle = bricked.origin + bricked.spacing * (width * (cell + 0.5));
-    double fractions[3];
-    if (grid && grid->ComputeStructuredCoordinates(&middle.x, this->CellIJK, fractions))
-    {
-      this->CellId = grid->ComputeCellId(this->CellIJK);
-    }
-    return;
-  }
+  const exabricks::CellOfBlock cell = exabricks::BlockSearch(amr, bricked).find(*leaf);
+  this->Level = cell.level;
+  this->Block = cell.block;
+  this->CellId = cell.id;
+  std::copy_n(cell.ijk, 3, this->CellIJK);
 }
 
 double vtkExaBricksPicker::GetValue(int component)

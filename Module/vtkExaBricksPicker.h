@@ -8,8 +8,8 @@
  * on comes to VolumeOpacityIsovalue; with blend modes maximum and minimum, where the value is that
  * is shown; with average and additive, where the data begin. What is cut away by clipping planes
  * and cropping, and what lies behind the geometry of the last picture, is not picked.
- * (vtkCellPicker and vtkVolumePicker take volumes of images alone; vtkPropPicker,
- * vtkHardwareSelector and area picks find the volume, and not the place in it.)
+ * (vtkCellPicker and vtkVolumePicker take volumes of images alone; vtkPropPicker and area picks
+ * find the volume, and not the place in it; vtkHardwareSelector the cells of an area.)
  *
  * @code
  * vtkNew<vtkExaBricksPicker> picker;

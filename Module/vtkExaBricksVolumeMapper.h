@@ -32,8 +32,9 @@
  * SetCroppingRegionFlags()) is in the data's own coordinates; where an upper plane is below its
  * lower one, nothing is between the two. Both cut exactly, through cells and steps.
  *
- * The volume is picked by vtkPropPicker, vtkHardwareSelector and area picks; vtkExaBricksPicker
- * tells the place, the cell and its value.
+ * The volume is picked by vtkPropPicker and area picks. vtkHardwareSelector tells the cells that
+ * are first seen, their blocks as composite indices; vtkExaBricksPicker that of one place, with the
+ * place and the cell's value.
  *
  * Volumes of this mapper that overlap in a renderer are drawn as one medium, with blend mode
  * composite and equal final colors: what each absorbs and emits adds up. Others are drawn one after
@@ -382,8 +383,10 @@ public:
   void Update(int port) override;
   void Update() override { this->Update(0); }
 
-  /// In a selector's passes (vtkHardwareSelector, vtkPropPicker, area picks), marks the pixels in
-  /// which more than 3/255 of opacity shows, as VTK's GPU mapper does.
+  /// In a selector's passes (vtkHardwareSelector, vtkPropPicker, area picks), draws the numbers
+  /// that it asks for: of the prop where more than 3/255 of opacity shows, as VTK's GPU mapper
+  /// does; of blocks and cells, where cells are selected, at the place at which opacity comes to
+  /// 0.05. Where points are selected, nothing is.
   void Render(vtkRenderer* ren, vtkVolume* vol) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

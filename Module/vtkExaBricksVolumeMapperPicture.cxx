@@ -87,7 +87,8 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   {
     const auto makeView = [&](int width, int height)
     { return this->MakeView(ren, vol, bricked, width, height); };
-    return this->Compositor.drawSelection(ren, makeView, this->Renderer);
+    auto* amr = vtkOverlappingAMR::SafeDownCast(this->Self->GetDataObjectInput());
+    return this->Compositor.drawSelection(ren, makeView, this->Renderer, amr, bricked);
   }
   double rays = 0.0;
   const auto makeView = [&](int width, int height)

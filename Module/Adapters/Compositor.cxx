@@ -2,11 +2,8 @@
 #include "Adapters/Compositor.h"
 
 #include "vtkAbstractVolumeMapper.h"
-#include "vtkHardwareSelector.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
-
-#include <algorithm>
 
 namespace exabricks
 {
@@ -84,7 +81,8 @@ std::optional<std::string> Compositor::draw(vtkAbstractVolumeMapper* mapper, vtk
 }
 
 std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
-  const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer)
+  const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer,
+  vtkOverlappingAMR* amr, const BrickedVolume& bricked)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   const Viewport viewport = findViewport();
@@ -92,71 +90,15 @@ std::optional<std::string> Compositor::drawSelection(vtkRenderer* ren,
   {
     return std::string();
   }
-  vtkHardwareSelector* const selector = ren->GetSelector();
-  const int pass = selector->GetCurrentPass();
-  float color[3] = { 0.0f, 0.0f, 0.0f };
-  if (pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS)
+  const std::string fault =
+    this->Selection.color(ren, window, viewport, makeView, renderer, amr, bricked, this->Back);
+  if (!fault.empty() || this->Back.empty())
   {
-    selector->BeginRenderProp();
-    selector->GetPropColorValue(color);
-    selector->EndRenderProp();
+    return fault;
   }
-  if (pass == vtkHardwareSelector::ACTOR_PASS)
-  {
-    this->Selected.clear();
-    // Without a number for the prop, it would lose what is behind it.
-    if (color[0] != 0.0f || color[1] != 0.0f || color[2] != 0.0f)
-    {
-      View view = makeView(viewport.width, viewport.height);
-      this->RestrictDepth(window, viewport, selector->GetArea());
-      keepWhole(view);
-      view.target.depth = this->Depth.data();
-      const std::string fault = renderer.render(view, this->Selected);
-      if (!fault.empty())
-      {
-        this->Selected.clear();
-        return fault;
-      }
-    }
-  }
-  // Other passes of a selection cover the same pixels.
-  if (this->Selected.size() != static_cast<std::size_t>(viewport.width) * viewport.height)
-  {
-    return std::string();
-  }
-  this->Back.resize(this->Selected.size());
-  std::transform(this->Selected.begin(), this->Selected.end(), this->Back.begin(),
-    [&](const glm::vec4& pixel)
-    {
-      return pixel.a > 3.0f / 255.0f ? glm::vec4(color[0], color[1], color[2], 1.0f)
-                                     : glm::vec4(0.0f);
-    });
   return this->Picture.draw(window, { viewport.width, viewport.height }, this->Back)
     ? std::string()
     : refuse(viewport);
-}
-
-// Reads the depth of geometry; outside of the area (in pixels of the window) rays end where they
-// begin.
-void Compositor::RestrictDepth(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4])
-{
-  if (readDepth(window, viewport, this->Depth) != OpaqueDepth::Read)
-  {
-    this->Depth.assign(static_cast<std::size_t>(viewport.width) * viewport.height, 1.0f);
-  }
-  for (int y = 0; y < viewport.height; ++y)
-  {
-    for (int x = 0; x < viewport.width; ++x)
-    {
-      const auto atX = static_cast<unsigned int>(x + viewport.x);
-      const auto atY = static_cast<unsigned int>(y + viewport.y);
-      if (atX < area[0] || atX > area[2] || atY < area[1] || atY > area[3])
-      {
-        this->Depth[static_cast<std::size_t>(y) * viewport.width + x] = 0.0f;
-      }
-    }
-  }
 }
 
 std::optional<std::string> Compositor::DrawPeel(vtkOpenGLRenderWindow* window,

@@ -6,6 +6,7 @@
 
 #include "Adapters/ColorWindow.h"
 #include "Adapters/OpenGLPicture.h"
+#include "Adapters/SelectionPasses.h"
 #include "Vulkan/VolumeRenderer.h"
 
 #include <functional>
@@ -35,18 +36,16 @@ public:
   bool isPeeling() const { return this->Peeling; }
   bool isFirstPass() const { return !this->Peeling || this->Peel.isFirst(); }
 
-  /// Draws, in a selector's passes, the prop's colour where more than 3/255 of opacity shows in
-  /// the selected area; and in those that ask for anything but props and processes, which are told
-  /// of no volume, black. Returns as draw() does.
+  /// Draws, in a selector's passes, the numbers that it asks for (SelectionPasses). Returns as
+  /// draw() does.
   std::optional<std::string> drawSelection(vtkRenderer* ren,
-    const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer);
+    const std::function<View(int width, int height)>& makeView, VolumeRenderer& renderer,
+    vtkOverlappingAMR* amr, const BrickedVolume& bricked);
 
   /// May be called twice, and with a window that is going away.
   void release(vtkWindow* window);
 
 private:
-  void RestrictDepth(
-    vtkOpenGLRenderWindow* window, const Viewport& viewport, const unsigned int area[4]);
   std::optional<std::string> DrawPeel(vtkOpenGLRenderWindow* window, const Viewport& viewport,
     const std::function<View(int width, int height)>& makeView, const ColorWindow& colors,
     const Render& render);
@@ -54,9 +53,9 @@ private:
   OpenGLPicture Picture;
   DepthPeel Peel;
   bool Peeling = false;
-  Pixels Selected; // what shows in the area of a selector; empty: it has no number for the prop
-  Pixels Back;     // the picture; of a peel, the part behind what is peeled
-  Pixels Front;    // of a peel, the part before it
+  SelectionPasses Selection;
+  Pixels Back;  // the picture; of a peel, the part behind what is peeled
+  Pixels Front; // of a peel, the part before it
   std::vector<float> Depth;
   std::vector<float> SparseDepth; // at the rays of a picture that has fewer of them than pixels
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a ray first sees something of a volume, for pickers.
+// Where rays first see something of a volume, for pickers and selectors.
 #ifndef ExaBricksAdaptersFirstSeen_h
 #define ExaBricksAdaptersFirstSeen_h
 
 #include "Vulkan/VolumeRenderer.h"
 
 #include <optional>
+#include <vector>
 
 namespace exabricks
 {
@@ -30,6 +31,10 @@ struct FirstSeen
 /// `fault`: what went wrong. Levels and steps are those of a picture without geometry.
 std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
   const PlaceInPicture& place, const glm::dvec3& size, double opacity, std::string& fault);
+
+/// The same for each pixel of a view, [height][width], to a 2^-20th of the depth of the bounds.
+std::vector<std::optional<FirstSeen>> findFirstSeen(
+  VolumeRenderer& renderer, View view, const glm::dvec3& size, double opacity, std::string& fault);
 }
 
 #endif

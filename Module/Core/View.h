@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
@@ -120,6 +121,24 @@ inline void keepWhole(View& view)
   {
     view.target.whole = Target::Whole{ view.camera, view.target.width, view.target.height };
   }
+}
+
+/// A part of the view's picture, from the pixel (x, y) on, without its depths.
+inline View cropTo(View view, int x, int y, int width, int height)
+{
+  keepWhole(view);
+  const glm::dvec2 whole(view.target.width, view.target.height);
+  const glm::dvec2 part(width, height);
+  const glm::dvec2 scale = part / whole;
+  const glm::dvec2 shift = (2.0 * glm::dvec2(x, y) + part) / whole - 1.0;
+  view.camera.ndcToHalfCells = view.camera.ndcToHalfCells *
+    glm::dmat4(glm::dvec4(scale.x, 0.0, 0.0, 0.0), glm::dvec4(0.0, scale.y, 0.0, 0.0),
+      glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(shift, 0.0, 1.0));
+  view.target.width = width;
+  view.target.height = height;
+  view.target.depth = nullptr;
+  view.target.nearDepth = nullptr;
+  return view;
 }
 
 /// Whether both show the same in the same size, but for depths.

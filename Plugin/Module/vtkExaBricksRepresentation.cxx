@@ -259,6 +259,7 @@ bool vtkExaBricksRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddVolume(this->Volume);
+  renderView->RegisterPropForHardwareSelection(this, this->Volume);
   return this->Superclass::AddToView(view);
 }
 
@@ -269,6 +270,7 @@ bool vtkExaBricksRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
   renderView->GetRenderer()->RemoveVolume(this->Volume);
   return this->Superclass::RemoveFromView(view);
 }

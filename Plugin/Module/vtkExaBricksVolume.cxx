@@ -42,12 +42,15 @@ double* vtkExaBricksVolume::GetBounds()
 int vtkExaBricksVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 {
   vtkRenderer* ren = vtkRenderer::SafeDownCast(viewport);
-  if (!ren || ren->GetSelector())
+  if (!ren)
   {
-    return 0; // a volume of blended colours has no ids
+    return 0;
   }
   const int rendered = this->OutlineOnly ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
-  this->InvokeEvent(vtkCommand::EndEvent);
+  if (!ren->GetSelector()) // whose passes are no pictures
+  {
+    this->InvokeEvent(vtkCommand::EndEvent);
+  }
   return rendered;
 }
 

@@ -72,6 +72,15 @@ display.ColorArrayName = ["CELLS", "value"]
 expect_alike(picture(view, "array"), first, 60.0, "with an array")
 assert not said, said
 
+# A volume in the same place without an array is an outline, and no part of the first one's picture.
+other = make_scene()
+show(other, view).ColorArrayName = ["CELLS", ""]
+picture(view, "withOutline")
+expect_said("Choose one to color by")
+simple.Delete(other)
+expect_alike(picture(view, "withoutOutline"), first, 60.0, "alone again")
+assert not said, said
+
 # No data.
 simple.Delete(display)
 simple.Delete(scene)
