@@ -5,6 +5,7 @@
 #include "Failure.h"
 
 #include "vtkCamera.h"
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace render
 
 namespace
 {
-
-constexpr double Margin = 1.05;
 
 // From the data towards the camera.
 Vector3 directionOf(const std::string& view)
@@ -57,34 +56,6 @@ Axes makeAxes(Vector3 back, Vector3 up)
   return axes;
 }
 
-// What it takes to have all corners of the bounds in view around the focal point.
-struct Fit
-{
-  double Distance = 0.0;      // from the focal point to the camera
-  double ParallelScale = 0.0; // half the height of the picture
-};
-
-Fit fitBounds(
-  const double bounds[6], const Vector3& focal, const Axes& axes, double viewAngle, double aspect)
-{
-  const double slope = std::tan(0.5 * vtkMath::RadiansFromDegrees(viewAngle));
-  Fit fit;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double d[3];
-    for (int a = 0; a < 3; ++a)
-    {
-      d[a] = bounds[2 * a + (corner >> a & 1)] - focal[a];
-    }
-    const double half = Margin *
-      std::max(std::abs(vtkMath::Dot(d, axes.Up.data())),
-        std::abs(vtkMath::Dot(d, axes.Right.data())) / aspect);
-    fit.Distance = std::max(fit.Distance, vtkMath::Dot(d, axes.Back.data()) + half / slope);
-    fit.ParallelScale = std::max(fit.ParallelScale, half);
-  }
-  return fit;
-}
-
 }
 
 void placeCamera(const Options& options, const double bounds[6], vtkCamera* camera)
@@ -105,21 +76,23 @@ void placeCamera(const Options& options, const double bounds[6], vtkCamera* came
   const Vector3 z{ { 0.0, 0.0, 1.0 } }, y{ { 0.0, 1.0, 0.0 } };
   const Axes axes = makeAxes(back, options.Up.value_or(alongZ ? y : z));
 
-  const double aspect = static_cast<double>(options.Size[0]) / options.Size[1];
-  const Fit fit = fitBounds(bounds, focal, axes, options.ViewAngle, aspect);
-  Vector3 position;
+  double away[3];
+  const double distance = std::max(vtkMath::Norm(focal.data()), 1.0);
   for (int a = 0; a < 3; ++a)
   {
-    position[a] = focal[a] + fit.Distance * axes.Back[a];
+    away[a] = focal[a] + distance * axes.Back[a];
   }
-  position = options.Position.value_or(position);
-
-  camera->SetPosition(position.data());
   camera->SetFocalPoint(focal.data());
+  camera->SetPosition(away);
   camera->SetViewUp(axes.Up.data());
   camera->SetViewAngle(options.ViewAngle);
+  vtkExaBricksFirstPicture::FitCamera(
+    camera, bounds, static_cast<double>(options.Size[0]) / options.Size[1]);
+  if (options.Position)
+  {
+    camera->SetPosition(options.Position->data());
+  }
   camera->SetParallelProjection(options.Parallel);
-  camera->SetParallelScale(fit.ParallelScale);
   camera->Zoom(options.Zoom);
 }
 

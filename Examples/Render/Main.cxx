@@ -14,9 +14,13 @@
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace
@@ -24,7 +28,21 @@ namespace
 
 using namespace render;
 
-// The array that was named, or the first scalar one.
+// How gladly an array is drawn that nobody named: scalar ones that vary, and of those what most
+// codes have, density and temperature.
+int preference(const ArrayInfo& array)
+{
+  std::string name = array.Name;
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::array<std::string, 5> known{ "density", "dens", "rho", "temperature", "temp" };
+  const auto place = std::find(known.begin(), known.end(), name);
+  return array.Components > 1 ? -1
+    : !array.Varies()         ? 0
+                              : 1 + static_cast<int>(known.end() - place);
+}
+
+// The array that was named, or the one that is preferred.
 ArrayInfo chooseArray(const Options& options, const AMRFile& file)
 {
   const ArrayInfo* chosen = nullptr;
@@ -32,7 +50,8 @@ ArrayInfo chooseArray(const Options& options, const AMRFile& file)
   for (const ArrayInfo& array : file.Arrays())
   {
     names += (names.empty() ? "" : ", ") + array.Name;
-    if (!chosen && (options.Array.empty() ? array.Components == 1 : array.Name == options.Array))
+    const bool fits = options.Array.empty() ? array.Components == 1 : array.Name == options.Array;
+    if (fits && (!chosen || preference(array) > preference(*chosen)))
     {
       chosen = &array;
     }
@@ -58,7 +77,31 @@ ArrayInfo chooseArray(const Options& options, const AMRFile& file)
   return *chosen;
 }
 
-void drawIntoFile(const Options& options)
+// Sets the picture up. Where the options leave it open, the array is drawn as a logarithm if that
+// shows more, and they ask for it afterwards.
+std::unique_ptr<Picture> setUp(
+  Options& options, vtkRenderWindow* window, vtkOverlappingAMR* amr, const ArrayInfo& array)
+{
+  const auto make = [&]
+  {
+    const std::string drawn =
+      options.Log ? addLogarithm(amr, array.Name, options.Component) : array.Name;
+    auto picture =
+      std::make_unique<Picture>(options, window, amr, drawn, options.Log ? 1 : array.Components);
+    picture->Prepare();
+    return picture;
+  };
+  std::unique_ptr<Picture> picture = make();
+  if (picture->LogarithmWanted() && !options.Linear && !options.Range && options.Opacity.empty())
+  {
+    options.Log = true;
+    picture.reset();
+    picture = make();
+  }
+  return picture;
+}
+
+void drawIntoFile(Options options)
 {
   AMRFile file(options.Input);
   if (options.ListArrays)
@@ -79,14 +122,13 @@ void drawIntoFile(const Options& options)
   auto amr = file.Read(array.Name, options.Levels, options.Quiet);
   const std::chrono::duration<double> readTime = std::chrono::steady_clock::now() - start;
 
-  const std::string drawn =
-    options.Log ? addLogarithm(amr, array.Name, options.Component) : array.Name;
-  Picture picture(options, window, amr, drawn, options.Log ? 1 : array.Components);
-  picture.Prepare();
-  picture.Draw();
+  const bool logAsked = options.Log;
+  const std::unique_ptr<Picture> picture = setUp(options, window, amr, array);
+  picture->Draw();
 
-  const render::Run run{ options, file, picture, array, readTime.count() };
-  writePNG(options.Output, picture.Pixels());
+  const render::Run run{ options, file, *picture, array, readTime.count(),
+    options.Log && !logAsked };
+  writePNG(options.Output, picture->Pixels());
   if (!options.Statistics.empty())
   {
     writeText(options.Statistics, statisticsJson(run));

@@ -3,6 +3,7 @@
 #include "OpenAMR.h"
 
 #include "Blocks.h"
+#include "CoveredCells.h"
 #include "InputKind.h"
 #include "Messages.h"
 
@@ -22,6 +23,8 @@
 #include "vtkHDFReader.h"
 #endif
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 
@@ -79,12 +82,13 @@ vtkSmartPointer<vtkAlgorithm> readerFor(std::string path)
   return makeReader<vtkXMLUniformGridAMRReader>(path);
 }
 
-// Switches one cell array on, and the others off.
-void selectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, const std::string& name)
+// Switches cell arrays on, and the others off.
+void selectOnly(
+  vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, const std::vector<std::string>& names)
 {
   for (const ArrayInfo& array : arrays)
   {
-    const int on = name.empty() || array.Name == name;
+    const int on = std::find(names.begin(), names.end(), array.Name) != names.end();
     if (auto* amr = vtkAMRBaseReader::SafeDownCast(reader))
     {
       amr->SetCellArrayStatus(array.Name.c_str(), on);
@@ -102,6 +106,12 @@ void selectOnly(vtkAlgorithm* reader, const std::vector<ArrayInfo>& arrays, cons
   }
 }
 
+}
+
+bool ArrayInfo::Varies() const
+{
+  const double largest = std::max(std::abs(this->Range[0]), std::abs(this->Range[1]));
+  return this->Range[1] - this->Range[0] > 1e-6 * largest;
 }
 
 AMRFile::AMRFile(const std::string& path)
@@ -171,23 +181,35 @@ void AMRFile::FindArrays()
   this->RunReader([this] { this->Reader->Update(); });
   enableAll(0);
   auto amr = this->Output("could not be read");
+  bool isFirst = true;
   forEachBlock(amr,
-    [this](vtkDataSet* block)
+    [&](vtkDataSet* block)
     {
-      if (!this->CellArrays.empty())
-      {
-        return; // all blocks have the arrays of the first
-      }
       vtkCellData* cells = block->GetCellData();
       for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
       {
         vtkDataArray* array = cells->GetArray(i);
-        if (array && array->GetName() &&
-          std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
+        if (!array || !array->GetName() ||
+          std::string(array->GetName()) == vtkDataSetAttributes::GhostArrayName())
         {
-          this->CellArrays.push_back({ array->GetName(), array->GetNumberOfComponents() });
+          continue;
+        }
+        double range[2];
+        array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+        const auto known = std::find_if(this->CellArrays.begin(), this->CellArrays.end(),
+          [&](const ArrayInfo& info) { return info.Name == array->GetName(); });
+        if (known != this->CellArrays.end())
+        {
+          known->Range[0] = std::min(known->Range[0], range[0]);
+          known->Range[1] = std::max(known->Range[1], range[1]);
+        }
+        else if (isFirst) // all blocks have its arrays
+        {
+          this->CellArrays.push_back(
+            { array->GetName(), array->GetNumberOfComponents(), { range[0], range[1] } });
         }
       }
+      isFirst = false;
     });
 }
 
@@ -215,7 +237,13 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   Progress progress("Reading " + this->Path, quiet);
   progress.Follow(this->Reader);
   this->SetLevels(levels);
-  selectOnly(this->Reader, this->CellArrays, array);
+  std::vector<std::string> all;
+  for (const ArrayInfo& info : this->CellArrays)
+  {
+    all.push_back(info.Name);
+  }
+  const std::string fraction = findVolumeFraction(all);
+  selectOnly(this->Reader, this->CellArrays, { array, fraction });
   this->RunReader([this] { this->Reader->Update(); });
   auto amr = this->Output("could not be read");
   bool empty = true;
@@ -223,6 +251,10 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   if (empty)
   {
     Refuse("'" + this->Path + "' holds no blocks: there is nothing to draw.");
+  }
+  if (!fraction.empty() && fraction != array)
+  {
+    hideCoveredCells(amr, fraction);
   }
   return amr;
 }

@@ -20,6 +20,10 @@ struct ArrayInfo
 {
   std::string Name;
   int Components = 1;
+  double Range[2] = { 0.0, 0.0 }; // on the coarsest level, of the magnitude of several components
+
+  // Whether values differ by more than rounding does.
+  bool Varies() const;
 };
 
 class AMRFile
@@ -35,7 +39,8 @@ public:
   // Cell arrays. Some readers know them beforehand; for the others this reads the coarsest level.
   const std::vector<ArrayInfo>& Arrays() const { return this->CellArrays; }
 
-  // Reads one cell array on the first so many levels (0: on all).
+  // Reads one cell array on the first so many levels (0: on all). Cells in embedded boundaries are
+  // hidden, where an array tells which they are.
   vtkSmartPointer<vtkOverlappingAMR> Read(const std::string& array, int levels, bool quiet);
 
 private:

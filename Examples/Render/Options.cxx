@@ -2,10 +2,10 @@
 
 #include "Options.h"
 
-#include "ColorMaps.h"
 #include "Failure.h"
 #include "ParseValues.h"
 
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkExaBricksVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
@@ -100,14 +100,19 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
   app.add_flag("-q,--quiet", o.Quiet, "Print nothing but errors");
 
   const std::string data = "Data";
-  app.add_option("-a,--array", o.Array, "Cell array to draw [the first scalar one]")
+  app
+    .add_option(
+      "-a,--array", o.Array, "Cell array to draw [density, temperature, or the first that varies]")
     ->type_name("NAME")
     ->group(data);
   app.add_option("--component", texts.Component, "Of a vector: N from 0, or magnitude [magnitude]")
     ->type_name("N")
     ->group(data);
-  app.add_flag("--log", o.Log, "Draw log10 of the array; cells not above zero become absent")
+  app
+    .add_flag("--log", o.Log,
+      "Draw log10 of the array; cells not above zero become absent [where that shows more]")
     ->group(data);
+  app.add_flag("--linear", o.Linear, "Draw the array itself")->group(data);
   app.add_option("--levels", o.Levels, "Number of levels to use, from the coarsest [all]")
     ->type_name("N")
     ->check(CLI::Range(1, 1000))
@@ -119,14 +124,14 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(camera);
   app
     .add_option(
-      "--view", o.View, "Side to look from, all data in view: iso +x -x +y -y +z -z [iso]")
+      "--view", o.View, "Side to look from, at all that shows: iso +x -x +y -y +z -z [iso]")
     ->type_name("SIDE")
     ->check(CLI::IsMember({ "iso", "+x", "-x", "+y", "-y", "+z", "-z" }))
     ->group(camera);
   app.add_option("--position", texts.Position, "Place of the camera, instead of --view")
     ->type_name("X,Y,Z")
     ->group(camera);
-  app.add_option("--focal", texts.Focal, "Point to look at [centre of the data]")
+  app.add_option("--focal", texts.Focal, "Point to look at [centre of what shows]")
     ->type_name("X,Y,Z")
     ->group(camera);
   app
@@ -145,7 +150,9 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(camera);
 
   const std::string look = "Look";
-  app.add_option("--color-map", o.ColorMap, "Colour map: " + colorMapNames() + " [viridis]")
+  app
+    .add_option("--color-map", o.ColorMap,
+      "Colour map: " + vtkExaBricksFirstPicture::GetColorMapNames() + " [viridis]")
     ->type_name("NAME")
     ->group(look);
   app.add_option("--range", texts.Range, "Values at the ends of the colour map [all leaf cells]")
@@ -156,8 +163,8 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->type_name("POINTS")
     ->group(look);
   app
-    .add_option(
-      "--opacity-unit", o.OpacityUnit, "Distance that opacities hold for [diagonal / 100]")
+    .add_option("--opacity-unit", o.OpacityUnit,
+      "Distance that opacities hold for [of what shows: diagonal / 100]")
     ->type_name("LENGTH")
     ->check(positiveNumber())
     ->group(look);
@@ -258,9 +265,10 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
       refuse("The output has to end in .png, found '" + o.Output + "'.");
     }
   }
-  if (!hasColorMap(o.ColorMap))
+  if (!vtkExaBricksFirstPicture::HasColorMap(o.ColorMap))
   {
-    refuse("--color-map takes one of " + colorMapNames() + ", not '" + o.ColorMap + "'.");
+    refuse("--color-map takes one of " + vtkExaBricksFirstPicture::GetColorMapNames() + ", not '" +
+      o.ColorMap + "'.");
   }
   if (viewGiven && o.Position)
   {
@@ -269,6 +277,10 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
   if (stepGiven && o.ErrorTolerance > 0.0)
   {
     refuse("--step-scale and --error-tolerance both choose the steps: give one of them.");
+  }
+  if (o.Log && o.Linear)
+  {
+    refuse("--log and --linear ask for opposite things: give one of them.");
   }
   if (o.Range && !((*o.Range)[0] < (*o.Range)[1]))
   {

@@ -17,7 +17,7 @@ using Vector3 = std::array<double, 3>;
 struct OpacityPoint
 {
   double Value;
-  double Opacity; // per unit distance
+  double Opacity; // of the unit distance
 };
 
 struct Options
@@ -28,10 +28,11 @@ struct Options
   bool ListArrays = false;
   bool Quiet = false;
 
-  std::string Array;            // empty: the first scalar one
+  std::string Array;            // empty: density, temperature, or the first scalar one that varies
   std::optional<int> Component; // none: the magnitude of a vector
   bool Log = false;
-  int Levels = 0; // 0: all
+  bool Linear = false; // not even where logarithms would show more
+  int Levels = 0;      // 0: all
 
   std::array<int, 2> Size{ { 800, 600 } };
   std::string View = "iso";

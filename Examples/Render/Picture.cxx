@@ -2,16 +2,14 @@
 
 #include "Picture.h"
 
-#include "ColorMaps.h"
 #include "Framing.h"
 #include "Messages.h"
-#include "Opacity.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkExaBricksVolumeMapper.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
@@ -43,6 +41,7 @@ Picture::Picture(const Options& options, vtkRenderWindow* window, vtkOverlapping
   const std::string& array, int components)
   : Asked(options)
   , VolumeMapper(vtkSmartPointer<vtkExaBricksVolumeMapper>::New())
+  , Chosen(vtkSmartPointer<vtkExaBricksFirstPicture>::New())
   , Volume(vtkSmartPointer<vtkVolume>::New())
   , Ren(vtkSmartPointer<vtkRenderer>::New())
   , Window(window)
@@ -56,7 +55,9 @@ Picture::Picture(const Options& options, vtkRenderWindow* window, vtkOverlapping
   this->Window->AddRenderer(this->Ren);
 }
 
-Picture::~Picture() = default;
+Picture::~Picture() { this->Window->RemoveRenderer(this->Ren); }
+
+bool Picture::LogarithmWanted() const { return this->Chosen->GetLogarithmWanted(); }
 
 vtkExaBricksVolumeMapper* Picture::Mapper() const { return this->VolumeMapper; }
 
@@ -130,12 +131,17 @@ void Picture::Prepare()
                       : "No cell of the array holds a number: choose another array.");
   }
 
-  data->GetScalarRange(this->ColorRange);
+  this->Chosen->SetLogarithmic(this->Asked.Log);
+  this->Chosen->Choose(data);
+  this->Chosen->GetColorRange(this->ColorRange);
+  this->OpacityUnit = this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit
+                                                    : this->Chosen->GetScalarOpacityUnitDistance();
+  this->ChooseOpacity();
+  // What shows with opacities of one's own is not known.
   double bounds[6];
   data->GetBounds(bounds);
-  this->OpacityUnit =
-    this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit : defaultOpacityUnit(bounds);
-  this->ChooseOpacity();
+  double shown[6];
+  std::copy_n(this->Asked.Opacity.empty() ? this->Chosen->GetShownBounds() : bounds, 6, shown);
   if (this->Asked.Range)
   {
     for (int i = 0; i < 2; ++i)
@@ -145,7 +151,7 @@ void Picture::Prepare()
     }
   }
   this->ApplyProperty();
-  placeCamera(this->Asked, bounds, this->Ren->GetActiveCamera());
+  placeCamera(this->Asked, shown, this->Ren->GetActiveCamera());
   this->Ren->ResetCameraClippingRange(bounds);
 }
 
@@ -154,13 +160,13 @@ void Picture::ChooseOpacity()
   this->Opacity = this->Asked.Opacity;
   if (this->Opacity.empty())
   {
-    double range[2];
-    this->Data()->GetScalarRange(range);
-    vtkNew<vtkIdTypeArray> histogram;
-    this->Data()->GetHistogram(HistogramBins, histogram);
-    const vtkIdType* first = histogram->GetPointer(0);
-    this->Opacity = opacityFromHistogram(
-      { first, first + histogram->GetNumberOfValues() }, range, !this->Asked.Log);
+    vtkPiecewiseFunction* chosen = this->Chosen->GetScalarOpacity();
+    for (int i = 0; i < chosen->GetSize(); ++i)
+    {
+      double node[4];
+      chosen->GetNodeValue(i, node);
+      this->Opacity.push_back({ node[0], node[1] });
+    }
   }
   else if (this->Asked.Log)
   {
@@ -173,16 +179,8 @@ void Picture::ChooseOpacity()
 
 void Picture::ApplyProperty()
 {
-  // One value only: the map is spread around it.
-  double range[2] = { this->ColorRange[0], this->ColorRange[1] };
-  if (!(range[0] < range[1]))
-  {
-    const double half = std::max(1e-6 * std::abs(range[0]), 1e-30);
-    range[0] -= half;
-    range[1] += half;
-  }
   vtkNew<vtkColorTransferFunction> colors;
-  fillColorMap(this->Asked.ColorMap, range, colors);
+  vtkExaBricksFirstPicture::FillColorMap(this->Asked.ColorMap, this->ColorRange, colors);
   vtkNew<vtkPiecewiseFunction> opacity;
   for (const OpacityPoint& point : this->Opacity)
   {

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkExaBricksData;
+class vtkExaBricksFirstPicture;
 class vtkExaBricksVolumeMapper;
 class vtkImageData;
 class vtkOverlappingAMR;
@@ -42,6 +43,9 @@ public:
   vtkExaBricksData* Data() const;
   vtkRenderer* Renderer() const;
 
+  // Whether logarithms of the array would show more. After Prepare().
+  bool LogarithmWanted() const;
+
   // In the values drawn: logarithms if the options ask for them.
   double ColorRange[2] = { 0.0, 1.0 };
   std::vector<OpacityPoint> Opacity;
@@ -61,6 +65,7 @@ private:
 
   const Options& Asked;
   vtkSmartPointer<vtkExaBricksVolumeMapper> VolumeMapper;
+  vtkSmartPointer<vtkExaBricksFirstPicture> Chosen;
   vtkSmartPointer<vtkVolume> Volume;
   vtkSmartPointer<vtkRenderer> Ren;
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -106,6 +106,12 @@ void printNotes(std::ostream& out, const Run& run)
     startLine(out, "Hint") << "the values span " << std::lround(std::log10(range[1] / range[0]))
                            << " decades: --log may show more\n";
   }
+  if (run.LogChosen)
+  {
+    startLine(out, "Hint")
+      << "nine of ten cells have less than a hundredth of the greatest value, so "
+         "that logarithms are drawn: --linear draws the values themselves\n";
+  }
   if (run.Result.Mapper()->GetNumberOfActiveRegions() == 0)
   {
     startLine(out, "Hint")

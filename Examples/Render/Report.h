@@ -20,7 +20,8 @@ struct Run
   const AMRFile& File;
   const Picture& Result;
   ArrayInfo Array;
-  double ReadTime = 0.0; // seconds
+  double ReadTime = 0.0;  // seconds
+  bool LogChosen = false; // for the options' Log, as they left it open
 };
 
 void printArrays(std::ostream& out, const AMRFile& file);

@@ -290,7 +290,10 @@ class RenderProgramTest(unittest.TestCase):
         look = stats["picture"]["look"]
         self.assertEqual(look["color_range"], data["range"])
         self.assertEqual(look["opacity"][0], [data["range"][0], 0.0])
-        self.assertAlmostEqual(look["opacity_unit"], 1.5**0.5 / 100, 9)
+        # Of the rings alone, which lie in the middle of the data's height.
+        self.assertLess(look["opacity_unit"], 0.8 * 1.5**0.5 / 100)
+        self.assertGreater(look["opacity_unit"], 0.4 * 1.5**0.5 / 100)
+        self.assertAlmostEqual(stats["picture"]["camera"]["focal"][2], 0.44, 1)
         self.assertTrue(stats["method"]["device"])
         self.assertGreater(stats["method"]["active_regions"], 0)
         self.assertEqual(len(stats["seconds"]["frames"]), 3)
@@ -316,8 +319,47 @@ class RenderProgramTest(unittest.TestCase):
         self.assertLess(stats["data"]["range"][0], -4.0)
         self.assertGreater(stats["data"]["range"][1], 1.0)
 
+    def test_logarithm_where_it_shows_more(self):
+        """Nine of ten cells have less than a hundredth of the greatest value."""
+        with tempfile.TemporaryDirectory() as folder:
+            values = [10.0 ** (6.0 * (i / 63.0) ** 6) for i in range(64)]
+            path = write_vthb(folder, 4)
+            block = os.path.join(folder, "block.vti")
+            with open(block, encoding="ascii") as file:
+                text = file.read().replace("1 2 3</DataArray>", " ".join(map(str, values)) + "</DataArray>")
+            write(folder, "block.vti", text)
+            stats = os.path.join(folder, "stats.json")
+            for options, log in (([], True), (["--linear"], False), (["--range", "1", "10"], False)):
+                with self.subTest(options):
+                    done = self.run_program(path, self.png, "--size", "32x32", "--stats", stats, *options)
+                    self.assertEqual(done.returncode, FINE, done.stderr)
+                    self.assertEqual("--linear draws" in done.stdout, log)
+                    with open(stats, encoding="utf-8") as file:
+                        self.assertEqual(json.load(file)["input"]["log10"], log)
+            os.remove(self.png)
+            self.refused(BAD_ARGUMENTS, ["--log", "--linear"], path, self.png, "--log", "--linear")
+
+    def test_array_that_varies_is_preferred_and_covered_cells_are_hidden(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = write_vthb(folder, 2)
+            arrays = {"constant": [7.0] * 8, "flow": [1, 2, 3, 4, 5, 6, 7, 0], "vfrac": [1] * 7 + [0]}
+            text = "".join('<DataArray type="Float32" Name="%s" format="ascii">%s</DataArray>'
+                % (name, " ".join(map(str, values))) for name, values in arrays.items())
+            write(folder, "block.vti", """<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+                <ImageData WholeExtent="0 2 0 2 0 2" Origin="0 0 0" Spacing="1 1 1">
+                <Piece Extent="0 2 0 2 0 2"><CellData>%s</CellData></Piece></ImageData></VTKFile>""" % text)
+            stats = os.path.join(folder, "stats.json")
+            done = self.run_program(path, self.png, "--size", "32x32", "--stats", stats)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            with open(stats, encoding="utf-8") as file:
+                found = json.load(file)
+            self.assertEqual(found["input"]["array"], "flow")
+            self.assertEqual(found["data"]["range"], [1.0, 7.0])
+            self.assertEqual(found["data"]["absent_cells"], 1)
+
     def test_camera(self):
-        _, stats = self.draw("--position", "0.25,-2,0.5", "--focal", "0.25,0.25,0.5", "--parallel")
+        _, stats = self.draw("--position", "0.25,-2,0.5", "--focal", "0.25,0.25,0.5", "--parallel",
+            "--opacity", "1:0,2:0.1")
         camera = stats["picture"]["camera"]
         self.assertEqual(camera["position"], [0.25, -2.0, 0.5])
         self.assertEqual(camera["up"], [0.0, 0.0, 1.0])

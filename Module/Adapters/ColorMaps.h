@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colour maps by name.
 
-#ifndef ExaBricksRenderColorMaps_h
-#define ExaBricksRenderColorMaps_h
+#ifndef ExaBricksAdaptersColorMaps_h
+#define ExaBricksAdaptersColorMaps_h
 
 #include <string>
 
 class vtkColorTransferFunction;
 
-namespace render
+namespace exabricks
 {
 
 // All names, separated by commas.

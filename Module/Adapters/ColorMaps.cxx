@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ColorMaps.h"
+#include "Adapters/ColorMaps.h"
 
 #include "vtkColorTransferFunction.h"
 
 #include <cstdlib>
 #include <cstring>
 
-namespace render
+namespace exabricks
 {
 
 namespace
