@@ -224,6 +224,45 @@ void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
   }
 }
 
+void vtkExaBricksData::GetVolumeHistogram(int bins, vtkDoubleArray* shares)
+{
+  if (bins < 1 || !shares)
+  {
+    vtkErrorMacro("Expected at least one bin and an array to put the shares into.");
+    return;
+  }
+  shares->SetNumberOfComponents(1);
+  shares->SetNumberOfTuples(bins);
+  shares->FillValue(0.0);
+  if (!this->Bricked)
+  {
+    return;
+  }
+  const exabricks::Structure& structure = *this->Bricked->volume.structure;
+  const exabricks::Values& values = *this->Bricked->volume.values;
+  double* const share = shares->GetPointer(0);
+  double total = 0.0;
+  for (std::size_t brick = 0; brick < structure.bricks.size(); ++brick)
+  {
+    const auto width = static_cast<double>(structure.width(structure.bricks[brick]));
+    const double volume = width * width * width;
+    for (auto i = values.firstValue[brick]; i < values.firstValue[brick + 1]; ++i)
+    {
+      const float value = values.normalized[i];
+      if (value >= 0.0f)
+      {
+        const auto bin = static_cast<std::int64_t>(static_cast<double>(value) * bins);
+        share[std::min<std::int64_t>(bin, bins - 1)] += volume;
+        total += volume;
+      }
+    }
+  }
+  for (int bin = 0; bin < bins && total > 0.0; ++bin)
+  {
+    share[bin] /= total;
+  }
+}
+
 void vtkExaBricksData::GetBricksAsCells(vtkUnstructuredGrid* output)
 {
   if (!output)

@@ -24,6 +24,7 @@
 
 #include <memory> // for std::shared_ptr
 
+class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkPiecewiseFunction;
 class vtkUnstructuredGrid;
@@ -84,6 +85,10 @@ public:
 
   /// Counts leaf cells in `bins` bins of equal width over the scalar range, each cell once.
   void GetHistogram(int bins, vtkIdTypeArray* counts);
+
+  /// The share of the volume that the leaf cells of each of these bins take, of that of all cells
+  /// with a value: the sum is 1.
+  void GetVolumeHistogram(int bins, vtkDoubleArray* shares);
 
   /**
    * The bricks as voxels, with cell arrays "Level" (of the AMR), "Cells" (along x, y, z) and

@@ -3,6 +3,8 @@
 
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/ColorMaps.h"
+#include "Adapters/CoveredCells.h"
+#include "Adapters/Logarithm.h"
 #include "Core/FirstPicture.h"
 #include "vtkExaBricksData.h"
 
@@ -15,6 +17,8 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 vtkStandardNewMacro(vtkExaBricksFirstPicture);
@@ -91,6 +95,31 @@ void vtkExaBricksFirstPicture::FillColorMap(
     spread[1] += half;
   }
   exabricks::fillColorMap(name, spread, colors);
+}
+
+int vtkExaBricksFirstPicture::GetArrayPreference(const std::string& array)
+{
+  std::string name = array;
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::array<std::string, 5> known{ "density", "dens", "rho", "temperature", "temp" };
+  return static_cast<int>(known.end() - std::find(known.begin(), known.end(), name));
+}
+
+bool vtkExaBricksFirstPicture::IsVolumeFraction(const std::string& array)
+{
+  return exabricks::isVolumeFraction(array.c_str());
+}
+
+vtkIdType vtkExaBricksFirstPicture::HideCoveredCells(vtkOverlappingAMR* amr)
+{
+  return amr ? exabricks::hideCoveredCells(amr) : 0;
+}
+
+std::string vtkExaBricksFirstPicture::AddLogarithm(
+  vtkOverlappingAMR* amr, const std::string& array, int component)
+{
+  return amr ? exabricks::addLogarithm(amr, array, component) : std::string();
 }
 
 void vtkExaBricksFirstPicture::InitializeProperty(vtkVolumeProperty* property)

@@ -34,6 +34,7 @@
 class vtkCamera;
 class vtkColorTransferFunction;
 class vtkExaBricksData;
+class vtkOverlappingAMR;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
@@ -88,6 +89,24 @@ public:
   static void FillColorMap(
     const std::string& name, const double range[2], vtkColorTransferFunction* colors);
   ///@}
+
+  ///@{
+  /**
+   * What is drawn of data with many arrays: how gladly one of that name, from 0 on: density and
+   * temperature before others. Whether an array tells how much of each cell is fluid (vfrac,
+   * volFrac, vol_frac), and a way to mark the cells as hidden of which nothing is, as the values
+   * that codes write into embedded boundaries mean nothing: returns how many they are.
+   */
+  static int GetArrayPreference(const std::string& array);
+  static bool IsVolumeFraction(const std::string& array);
+  static vtkIdType HideCoveredCells(vtkOverlappingAMR* amr);
+  ///@}
+
+  /// Adds log10 of a cell array to every block that has it, as an array of doubles, and returns its
+  /// name, "log10(array)". Of several components one is taken, or the magnitude where `component`
+  /// is negative. Where there is no logarithm the value is NaN, which the mapper takes for absent.
+  static std::string AddLogarithm(
+    vtkOverlappingAMR* amr, const std::string& array, int component = -1);
 
   /// Sets colors, opacities and unit distance of all components, and linear interpolation. Each
   /// call makes new functions.

@@ -93,6 +93,10 @@ void placeCamera(const Options& options, const double bounds[6], vtkCamera* came
     camera->SetPosition(options.Position->data());
   }
   camera->SetParallelProjection(options.Parallel);
+  if (options.ParallelScale > 0.0)
+  {
+    camera->SetParallelScale(options.ParallelScale);
+  }
   camera->Zoom(options.Zoom);
 }
 

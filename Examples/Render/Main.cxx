@@ -3,7 +3,6 @@
 // order of this file: options, input, array, picture, output, report.
 
 #include "Display.h"
-#include "Logarithm.h"
 #include "Messages.h"
 #include "OpenAMR.h"
 #include "Options.h"
@@ -11,6 +10,7 @@
 #include "Picture.h"
 #include "Report.h"
 
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 
@@ -28,18 +28,12 @@ namespace
 
 using namespace render;
 
-// How gladly an array is drawn that nobody named: scalar ones that vary, and of those what most
-// codes have, density and temperature.
+// How gladly an array is drawn that nobody named.
 int preference(const ArrayInfo& array)
 {
-  std::string name = array.Name;
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::array<std::string, 5> known{ "density", "dens", "rho", "temperature", "temp" };
-  const auto place = std::find(known.begin(), known.end(), name);
   return array.Components > 1 ? -1
-    : !array.Varies()         ? 0
-                              : 1 + static_cast<int>(known.end() - place);
+    : array.Varies()          ? 1 + vtkExaBricksFirstPicture::GetArrayPreference(array.Name)
+                              : 0;
 }
 
 // The array that was named, or the one that is preferred.
@@ -84,8 +78,9 @@ std::unique_ptr<Picture> setUp(
 {
   const auto make = [&]
   {
-    const std::string drawn =
-      options.Log ? addLogarithm(amr, array.Name, options.Component) : array.Name;
+    const std::string drawn = options.Log
+      ? vtkExaBricksFirstPicture::AddLogarithm(amr, array.Name, options.Component.value_or(-1))
+      : array.Name;
     auto picture =
       std::make_unique<Picture>(options, window, amr, drawn, options.Log ? 1 : array.Components);
     picture->Prepare();

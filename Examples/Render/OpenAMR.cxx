@@ -3,7 +3,6 @@
 #include "OpenAMR.h"
 
 #include "Blocks.h"
-#include "CoveredCells.h"
 #include "InputKind.h"
 #include "Messages.h"
 
@@ -15,6 +14,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExaBricksFileCheck.h"
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkVersion.h"
 #include "vtkXMLUniformGridAMRReader.h"
 
@@ -237,13 +237,15 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   Progress progress("Reading " + this->Path, quiet);
   progress.Follow(this->Reader);
   this->SetLevels(levels);
-  std::vector<std::string> all;
+  std::vector<std::string> read{ array };
   for (const ArrayInfo& info : this->CellArrays)
   {
-    all.push_back(info.Name);
+    if (vtkExaBricksFirstPicture::IsVolumeFraction(info.Name))
+    {
+      read.push_back(info.Name);
+    }
   }
-  const std::string fraction = findVolumeFraction(all);
-  selectOnly(this->Reader, this->CellArrays, { array, fraction });
+  selectOnly(this->Reader, this->CellArrays, read);
   this->RunReader([this] { this->Reader->Update(); });
   auto amr = this->Output("could not be read");
   bool empty = true;
@@ -252,9 +254,9 @@ vtkSmartPointer<vtkOverlappingAMR> AMRFile::Read(const std::string& array, int l
   {
     Refuse("'" + this->Path + "' holds no blocks: there is nothing to draw.");
   }
-  if (!fraction.empty() && fraction != array)
+  if (!vtkExaBricksFirstPicture::IsVolumeFraction(array))
   {
-    hideCoveredCells(amr, fraction);
+    vtkExaBricksFirstPicture::HideCoveredCells(amr);
   }
   return amr;
 }

@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "ParseValues.h"
+#include "Scene.h"
 
 #include "vtkExaBricksFirstPicture.h"
 #include "vtkExaBricksVolumeMapper.h"
@@ -13,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -88,8 +90,12 @@ struct Texts
 
 void addOptions(CLI::App& app, Options& o, Texts& texts)
 {
-  app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT")->required();
+  app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT");
   app.add_option("output", o.Output, "PNG file to write")->type_name("OUTPUT.png");
+  app
+    .add_option(
+      "--scene", o.Scene, "Take what is not asked for from a file that --stats or the viewer wrote")
+    ->type_name("FILE.json");
   app.add_flag("--list-arrays", o.ListArrays, "Say what the input holds, and draw nothing");
   app
     .add_flag_callback(
@@ -171,6 +177,20 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
   app.add_option("--background", texts.Background, "Colour behind the volume [black]")
     ->type_name("R,G,B|NAME")
     ->group(look);
+
+  app
+    .add_option("--blend-mode", o.BlendMode,
+      "composite, maximum, minimum, average, additive or isosurface [composite]")
+    ->type_name("MODE")
+    ->check(
+      CLI::IsMember({ "composite", "maximum", "minimum", "average", "additive", "isosurface" }))
+    ->group(look);
+  app
+    .add_option("--iso", o.IsoValues, "Values of iso-surfaces, which --blend-mode isosurface draws")
+    ->type_name("V,V,...")
+    ->delimiter(',')
+    ->group(look);
+  app.add_flag("--shade", o.Shaded, "Light the volume from the camera")->group(look);
 
   const std::string method = "Method";
   app
@@ -254,6 +274,22 @@ void printDevices(std::ostream& out)
 void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
+  if (o.Input.empty())
+  {
+    refuse("No input was named: give an AMR data set, or a --scene that names one. See "
+           "exabricks-render --help.");
+  }
+  if ((o.BlendMode == "isosurface") != !o.IsoValues.empty())
+  {
+    refuse(o.IsoValues.empty()
+        ? "--blend-mode isosurface draws the values that --iso names: give some."
+        : "--iso names iso-surfaces: give --blend-mode isosurface with it.");
+  }
+  if (o.Log &&
+    std::any_of(o.IsoValues.begin(), o.IsoValues.end(), [](double v) { return v <= 0.0; }))
+  {
+    refuse("--log draws only values above zero: give --iso values above zero.");
+  }
   if (!o.ListArrays)
   {
     if (o.Output.empty())
@@ -296,6 +332,71 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
   }
 }
 
+// The file that --scene names; empty: none. Options count after it, wherever they stand.
+std::string findScene(int argc, char** argv)
+{
+  const std::string with = "--scene=";
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument == "--scene" && i + 1 < argc)
+    {
+      return argv[i + 1];
+    }
+    if (argument.compare(0, with.size(), with) == 0)
+    {
+      return argument.substr(with.size());
+    }
+  }
+  return {};
+}
+
+// What in a scene does not hold together with what is asked for.
+void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
+{
+  const auto asked = [&](const char* option) { return app.count(option) > 0; };
+  if (asked("--view"))
+  {
+    o.Position.reset();
+    o.Focal.reset();
+    o.Up.reset();
+    o.ParallelScale = 0.0;
+  }
+  if (asked("--log"))
+  {
+    o.Linear = false;
+  }
+  if (asked("--linear"))
+  {
+    o.Log = false;
+  }
+  const bool otherValues =
+    (asked("--array") && o.Array != scene.Array) || o.Log != scene.Log || asked("--component");
+  if (otherValues)
+  {
+    if (!asked("--range"))
+    {
+      o.Range.reset();
+    }
+    if (!asked("--opacity"))
+    {
+      o.Opacity.clear();
+    }
+    if (!asked("--component"))
+    {
+      o.Component.reset();
+    }
+  }
+  if (asked("--step-scale"))
+  {
+    o.ErrorTolerance = 0.0;
+  }
+  if (asked("--blend-mode") && o.BlendMode != "isosurface" && !asked("--iso"))
+  {
+    o.IsoValues.clear();
+  }
+}
+
 }
 
 bool parseOptions(int argc, char** argv, Options& options)
@@ -307,6 +408,12 @@ bool parseOptions(int argc, char** argv, Options& options)
     std::string("exabricks-render " EXABRICKS_VERSION " (VTK ") + vtkVersion::GetVTKVersion() +
       ")");
   Texts texts;
+  // What is asked for counts before what the scene says.
+  if (const std::string scene = findScene(argc, argv); !scene.empty())
+  {
+    readScene(scene, options);
+  }
+  const Options before = options;
   addOptions(app, options, texts);
   try
   {
@@ -327,7 +434,12 @@ bool parseOptions(int argc, char** argv, Options& options)
       std::string(error.what()) + "\nSee exabricks-render --help for what can be asked for.");
   }
   takeTexts(texts, options);
-  checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0);
+  if (!options.Scene.empty())
+  {
+    dropFromScene(app, before, options);
+  }
+  checkTogether(options, app.count("--view") > 0,
+    app.count("--step-scale") > 0 && app.count("--error-tolerance") > 0);
   return true;
 }
 

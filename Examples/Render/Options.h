@@ -20,8 +20,15 @@ struct OpacityPoint
   double Opacity; // of the unit distance
 };
 
+struct Plane
+{
+  Vector3 Origin;
+  Vector3 Normal;
+};
+
 struct Options
 {
+  std::string Scene; // from which all was taken that was not asked for; empty: none
   std::string Input;
   std::string Output;     // PNG
   std::string Statistics; // JSON; empty: none
@@ -39,6 +46,7 @@ struct Options
   std::optional<Vector3> Position, Focal, Up;
   double ViewAngle = 30.0; // degrees, of the picture's height
   bool Parallel = false;
+  double ParallelScale = 0.0; // 0: so that all that shows is in view
   double Zoom = 1.0;
 
   std::string ColorMap = "viridis";
@@ -47,6 +55,13 @@ struct Options
   double OpacityUnit = 0.0;                   // 0: from the data
   Vector3 Background{ { 0.0, 0.0, 0.0 } };
   std::string BackgroundName = "black";
+
+  std::string BlendMode = "composite";
+  std::vector<double> IsoValues;                // in units of the array
+  std::optional<std::array<int, 2>> LevelRange; // that are drawn
+  std::vector<Plane> ClippingPlanes;
+  std::optional<std::array<double, 6>> Cropping; // lower and upper planes of x, y, z
+  bool Shaded = false;
 
   std::string Reconstruction = "basis";
   std::string Traversal = "automatic";

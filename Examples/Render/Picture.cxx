@@ -6,6 +6,7 @@
 #include "Messages.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
 #include "vtkExaBricksFirstPicture.h"
@@ -14,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -104,6 +106,23 @@ void Picture::SetUpMapper(const std::string& array, int components)
   {
     mapper->SetTraversalToAutomatic();
   }
+  this->SetUpBlending();
+  if (this->Asked.LevelRange)
+  {
+    mapper->SetLevelRange((*this->Asked.LevelRange)[0], (*this->Asked.LevelRange)[1]);
+  }
+  for (const Plane& cut : this->Asked.ClippingPlanes)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(cut.Origin.data());
+    plane->SetNormal(cut.Normal.data());
+    mapper->AddClippingPlane(plane);
+  }
+  if (this->Asked.Cropping)
+  {
+    mapper->CroppingOn();
+    mapper->SetCroppingRegionPlanes(this->Asked.Cropping->data());
+  }
   if (this->Asked.StepScale > 0.0)
   {
     mapper->SetStepScale(this->Asked.StepScale);
@@ -112,6 +131,45 @@ void Picture::SetUpMapper(const std::string& array, int components)
   if (!this->Asked.Device.empty())
   {
     mapper->SetDevice(this->Asked.Device.c_str());
+  }
+}
+
+void Picture::SetUpBlending()
+{
+  const std::string& mode = this->Asked.BlendMode;
+  vtkExaBricksVolumeMapper* mapper = this->VolumeMapper;
+  if (mode == "maximum")
+  {
+    mapper->SetBlendModeToMaximumIntensity();
+  }
+  else if (mode == "minimum")
+  {
+    mapper->SetBlendModeToMinimumIntensity();
+  }
+  else if (mode == "average")
+  {
+    mapper->SetBlendModeToAverageIntensity();
+  }
+  else if (mode == "additive")
+  {
+    mapper->SetBlendModeToAdditive();
+  }
+  else if (mode == "isosurface")
+  {
+    mapper->SetBlendModeToIsoSurface();
+    vtkContourValues* values = this->Volume->GetProperty()->GetIsoSurfaceValues();
+    for (std::size_t i = 0; i < this->Asked.IsoValues.size(); ++i)
+    {
+      const double value = this->Asked.IsoValues[i];
+      values->SetValue(static_cast<int>(i), this->Asked.Log ? std::log10(value) : value);
+    }
+  }
+  else if (mode != "composite")
+  {
+    throw Failure(ExitCode::BadArguments,
+      "'" + mode +
+        "' is no blend mode: choose of composite, maximum, minimum, average, additive, "
+        "isosurface.");
   }
 }
 
@@ -191,7 +249,7 @@ void Picture::ApplyProperty()
   property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(this->OpacityUnit);
   property->SetInterpolationTypeToLinear();
-  property->ShadeOff();
+  property->SetShade(this->Asked.Shaded);
 }
 
 double Picture::DrawFrame()

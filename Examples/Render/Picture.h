@@ -59,6 +59,7 @@ public:
 
 private:
   void SetUpMapper(const std::string& array, int components);
+  void SetUpBlending();
   void ChooseOpacity();
   void ApplyProperty();
   double DrawFrame();

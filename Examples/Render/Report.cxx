@@ -159,6 +159,30 @@ Json lookJson(const Run& run)
     { "opacity_unit", run.Result.OpacityUnit }, { "background", run.Asked.Background } };
 }
 
+// In the values drawn, as the look.
+Json viewJson(const Run& run)
+{
+  vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
+  Json values = Json::array();
+  for (const double value : run.Asked.IsoValues)
+  {
+    values.push_back(run.Asked.Log ? std::log10(value) : value);
+  }
+  Json planes = Json::array();
+  for (const Plane& plane : run.Asked.ClippingPlanes)
+  {
+    planes.push_back({ { "origin", plane.Origin }, { "normal", plane.Normal } });
+  }
+  Json view = { { "blend_mode", run.Asked.BlendMode }, { "iso_values", values },
+    { "levels", { mapper->GetLevelRange()[0], mapper->GetLevelRange()[1] } },
+    { "clipping_planes", planes }, { "cropping", nullptr }, { "shaded", run.Asked.Shaded } };
+  if (run.Asked.Cropping)
+  {
+    view["cropping"] = *run.Asked.Cropping;
+  }
+  return view;
+}
+
 Json timesJson(const Run& run)
 {
   vtkExaBricksVolumeMapper* mapper = run.Result.Mapper();
@@ -265,6 +289,7 @@ std::string statisticsJson(const Run& run)
     { "step_scale", mapper->GetStepScale() }, { "error_tolerance", mapper->GetErrorTolerance() },
     { "active_regions", mapper->GetNumberOfActiveRegions() },
     { "levels_left_out", mapper->GetLevelsLeftOut() } };
+  json["view"] = viewJson(run);
   json["seconds"] = timesJson(run);
   json["bytes"] = { { "host", hostBytes(run.Result.Data()) },
     { "device", mapper->GetDeviceMemory() } };

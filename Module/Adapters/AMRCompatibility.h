@@ -34,6 +34,22 @@ inline vtkDataSet* getBlock(vtkOverlappingAMR* amr, unsigned int level, unsigned
 #endif
 }
 
+/// Calls f(vtkDataSet*) for each block that is there.
+template <typename Function>
+void forEachBlock(vtkOverlappingAMR* amr, const Function& f)
+{
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int index = 0; index < numberOfBlocks(amr, level); ++index)
+    {
+      if (vtkDataSet* block = getBlock(amr, level, index))
+      {
+        f(block);
+      }
+    }
+  }
+}
+
 /// The first block that is there, or null.
 inline vtkDataSet* getFirstBlock(vtkOverlappingAMR* amr)
 {

@@ -9,13 +9,13 @@
 
 #include "Display.h"
 #include "Failure.h"
-#include "Logarithm.h"
 #include "OpenAMR.h"
 #include "Picture.h"
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkExaBricksData.h"
+#include "vtkExaBricksFirstPicture.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -170,8 +170,9 @@ Model makeDataModel(const std::string& name, const InputScene& from)
   }
   auto vtk = std::make_shared<VTKScene>();
   vtk->amr = file.Read(chosen->Name, asked.Levels, true);
-  vtk->array =
-    asked.Log ? render::addLogarithm(vtk->amr, chosen->Name, asked.Component) : chosen->Name;
+  vtk->array = asked.Log
+    ? vtkExaBricksFirstPicture::AddLogarithm(vtk->amr, chosen->Name, asked.Component.value_or(-1))
+    : chosen->Name;
   const int components = asked.Log ? 1 : chosen->Components;
   vtk->component = components > 1 ? asked.Component.value_or(-1) : -1;
 

@@ -378,6 +378,46 @@ class RenderProgramTest(unittest.TestCase):
         _, stats = self.draw("--array", "magvort", "--error-tolerance", "0.0001")
         self.assertEqual(stats["method"]["levels_left_out"], 0)
 
+    def test_scene(self):
+        """What --stats writes draws the same picture again, and what is asked for counts before it."""
+        for asked in (
+            ["--array", "magvort", "--view", "+y", "--color-map", "inferno", "--shade"],
+            ["--array", "magvort", "--log", "--parallel", "--zoom", "1.5", "--step-scale", "2"],
+            ["--blend-mode", "isosurface", "--iso", "1.2,1.8"],
+            ["--blend-mode", "maximum", "--error-tolerance", "0.02"],
+        ):
+            with self.subTest(asked), tempfile.TemporaryDirectory() as folder:
+                _, stats = self.draw(*asked)
+                scene = os.path.join(folder, "scene.json")
+                shutil.move(os.path.join(self.folder.name, "stats.json"), scene)
+                with open(self.png, "rb") as file:
+                    first = file.read()
+                again = os.path.join(folder, "again.png")
+                done = self.run_program("--scene", scene, DATA, again, "--stats", os.path.join(folder, "again.json"))
+                self.assertEqual(done.returncode, FINE, done.stderr)
+                with open(again, "rb") as file:
+                    self.assertEqual(file.read(), first)
+                with open(os.path.join(folder, "again.json"), encoding="utf-8") as file:
+                    found = json.load(file)
+                for part in ("input", "view", "method"):
+                    self.assertEqual(found[part], stats[part])
+                done = self.run_program("--scene=" + scene, DATA, again, "--size", "40x30", "--quiet")
+                self.assertEqual(done.returncode, FINE, done.stderr)
+                self.assertEqual(png_size(again), (40, 30))
+
+    def test_wrong_scenes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.refused(BAD_ARGUMENTS, ["no_such.json"], "--scene", "no_such.json", DATA, self.png)
+            for text, words in (("hello", ["not a scene"]), ("{}", ["not a scene", "input"])):
+                with self.subTest(text):
+                    scene = write(folder, "scene.json", text)
+                    self.refused(BAD_ARGUMENTS, words, "--scene", scene, DATA, self.png)
+
+    def test_blend_modes_that_do_not_fit(self):
+        self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface")
+        self.refused(BAD_ARGUMENTS, ["--blend-mode isosurface"], DATA, self.png, "--iso", "1")
+        self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface", "--iso", "-1", "--log")
+
     def test_quiet(self):
         done, _ = self.draw("--quiet")
         self.assertEqual(done.stdout + done.stderr, "")

@@ -4,7 +4,7 @@
 import os
 import sys
 
-from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRReader
 from vtkmodules.vtkRenderingCore import (
@@ -75,6 +75,11 @@ assert max(abs(a - b) for a, b in zip(bounds, (0, 0.5, 0, 0.5, 0, 1))) < 1e-9, b
 
 counts = vtkIdTypeArray()
 data.GetHistogram(16, counts)
+shares = vtkDoubleArray()
+data.GetVolumeHistogram(16, shares)
+assert abs(sum(shares.GetValue(i) for i in range(16)) - 1.0) < 1e-9
+# Fine cells are many, and small.
+assert shares.GetValue(0) > counts.GetValue(0) / data.GetNumberOfLeafCells()
 histogram = [counts.GetValue(i) for i in range(counts.GetNumberOfValues())]
 assert sum(histogram) == data.GetNumberOfLeafCells()
 assert histogram[0] == max(histogram), "most of the gas is still"

@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/CoveredCells.h"
 
-#include "CoveredCells.h"
-
-#include "Blocks.h"
+#include "Adapters/AMRCompatibility.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 
-namespace render
+namespace exabricks
 {
-
-std::string findVolumeFraction(const std::vector<std::string>& arrays)
+bool isVolumeFraction(const char* array)
 {
-  const auto found = std::find_if(arrays.begin(), arrays.end(),
-    [](std::string name)
-    {
-      std::transform(name.begin(), name.end(), name.begin(),
-        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      return name == "vfrac" || name == "volfrac" || name == "vol_frac";
-    });
-  return found == arrays.end() ? std::string() : *found;
+  std::string name = array ? array : "";
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name == "vfrac" || name == "volfrac" || name == "vol_frac";
 }
 
-vtkIdType hideCoveredCells(vtkOverlappingAMR* amr, const std::string& volumeFraction)
+vtkIdType hideCoveredCells(vtkOverlappingAMR* amr)
 {
   vtkIdType hidden = 0;
   forEachBlock(amr,
     [&](vtkDataSet* block)
     {
-      vtkDataArray* fraction = block->GetCellData()->GetArray(volumeFraction.c_str());
+      vtkCellData* const cells = block->GetCellData();
+      vtkDataArray* fraction = nullptr;
+      for (int i = 0; i < cells->GetNumberOfArrays() && !fraction; ++i)
+      {
+        fraction = isVolumeFraction(cells->GetArrayName(i)) ? cells->GetArray(i) : nullptr;
+      }
       if (!fraction)
       {
         return;
@@ -54,5 +55,4 @@ vtkIdType hideCoveredCells(vtkOverlappingAMR* amr, const std::string& volumeFrac
     });
   return hidden;
 }
-
 }

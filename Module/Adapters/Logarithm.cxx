@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/Logarithm.h"
 
-#include "Logarithm.h"
-
-#include "Blocks.h"
+#include "Adapters/AMRCompatibility.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellData.h"
@@ -14,24 +13,22 @@
 #include <cmath>
 #include <limits>
 
-namespace render
+namespace exabricks
 {
-
 namespace
 {
-
 struct LogarithmWorker
 {
   template <class ArrayType>
-  void operator()(ArrayType* in, vtkDoubleArray* out, std::optional<int> component) const
+  void operator()(ArrayType* in, vtkDoubleArray* out, int component) const
   {
     auto result = vtk::DataArrayValueRange<1>(out).begin();
     for (const auto tuple : vtk::DataArrayTupleRange(in))
     {
       double value = 0.0;
-      if (component)
+      if (component >= 0)
       {
-        value = static_cast<double>(tuple[*component]);
+        value = static_cast<double>(tuple[component]);
       }
       else
       {
@@ -45,23 +42,21 @@ struct LogarithmWorker
     }
   }
 };
-
 }
 
-std::string addLogarithm(
-  vtkOverlappingAMR* amr, const std::string& array, std::optional<int> component)
+std::string addLogarithm(vtkOverlappingAMR* amr, const std::string& array, int component)
 {
   const std::string name = "log10(" + array + ")";
   forEachBlock(amr,
     [&](vtkDataSet* block)
     {
       vtkDataArray* in = block->GetCellData()->GetArray(array.c_str());
-      if (!in)
+      if (!in || component >= in->GetNumberOfComponents())
       {
         return;
       }
       // The magnitude of a scalar would lose its sign.
-      const auto which = in->GetNumberOfComponents() == 1 ? std::optional<int>(0) : component;
+      const int which = in->GetNumberOfComponents() == 1 ? 0 : component;
       vtkNew<vtkDoubleArray> out;
       out->SetName(name.c_str());
       out->SetNumberOfTuples(in->GetNumberOfTuples());
@@ -74,5 +69,4 @@ std::string addLogarithm(
     });
   return name;
 }
-
 }
