@@ -2,6 +2,7 @@
 // exabricks-render: draws an AMR data set as a volume into a PNG. The order of the work is the
 // order of this file: options, input, array, picture, output, report.
 
+#include "DidYouMean.h"
 #include "Display.h"
 #include "Messages.h"
 #include "OpenAMR.h"
@@ -19,9 +20,12 @@
 #include <cctype>
 #include <chrono>
 #include <exception>
+#include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 
 namespace
 {
@@ -41,9 +45,11 @@ ArrayInfo chooseArray(const Options& options, const AMRFile& file)
 {
   const ArrayInfo* chosen = nullptr;
   std::string names;
+  std::vector<std::string> all;
   for (const ArrayInfo& array : file.Arrays())
   {
     names += (names.empty() ? "" : ", ") + array.Name;
+    all.push_back(array.Name);
     const bool fits = options.Array.empty() ? array.Components == 1 : array.Name == options.Array;
     if (fits && (!chosen || preference(array) > preference(*chosen)))
     {
@@ -60,7 +66,8 @@ ArrayInfo chooseArray(const Options& options, const AMRFile& file)
     throw Failure(ExitCode::BadArguments,
       options.Array.empty()
         ? "There is no scalar cell array: choose a vector with --array: " + names
-        : "There is no cell array '" + options.Array + "': choose of " + names);
+        : "There is no cell array '" + options.Array + "': choose of " + names + "." +
+          didYouMean(options.Array, all));
   }
   if (options.Component && *options.Component >= chosen->Components)
   {
@@ -96,6 +103,23 @@ std::unique_ptr<Picture> setUp(
   return picture;
 }
 
+// The first picture is drawn already.
+void writeTurntable(const Options& options, Picture& picture)
+{
+  const std::filesystem::path path(options.Output);
+  for (int i = 0; i < options.Turntable; ++i)
+  {
+    if (i > 0)
+    {
+      picture.Turn(360.0 / options.Turntable);
+    }
+    std::ostringstream name;
+    name << path.stem().string() << '-' << std::setw(4) << std::setfill('0') << i
+         << path.extension().string();
+    writePicture((path.parent_path() / name.str()).string(), picture.Pixels());
+  }
+}
+
 void drawIntoFile(Options options)
 {
   AMRFile file(options.Input);
@@ -119,11 +143,22 @@ void drawIntoFile(Options options)
 
   const bool logAsked = options.Log;
   const std::unique_ptr<Picture> picture = setUp(options, window, amr, array);
+  if (options.Annotate)
+  {
+    picture->Annotate(arrayText(options, array));
+  }
   picture->Draw();
 
   const render::Run run{ options, file, *picture, array, readTime.count(),
     options.Log && !logAsked };
-  writePNG(options.Output, picture->Pixels());
+  if (options.Turntable > 0)
+  {
+    writeTurntable(options, *picture);
+  }
+  else
+  {
+    writePicture(options.Output, picture->Pixels());
+  }
   if (!options.Statistics.empty())
   {
     writeText(options.Statistics, statisticsJson(run));

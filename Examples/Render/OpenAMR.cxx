@@ -51,6 +51,18 @@ vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path)
   throw Failure(ExitCode::InputUnreadable, message);
 }
 
+// Before a reader trusts what it says.
+void refuseDamaged(const std::string& path)
+{
+  const std::string fault = vtkExaBricksFileCheck::FindFault(path);
+  if (!fault.empty())
+  {
+    const bool mayBeWhole = fault.rfind("of a kind that is not read", 0) == 0;
+    Refuse("'" + path + "' is damaged" + (mayBeWhole ? ", or " : ": ") + fault +
+      ". Copy it anew, or write it once more.");
+  }
+}
+
 vtkSmartPointer<vtkAlgorithm> readerFor(std::string path)
 {
   // A slash at the end would stay in the names that the AMReX reader makes.
@@ -58,16 +70,14 @@ vtkSmartPointer<vtkAlgorithm> readerFor(std::string path)
   {
     path.pop_back();
   }
-  switch (findInputKind(path))
+  const InputKind kind = findInputKind(path);
+  refuseDamaged(path);
+  switch (kind)
   {
     case InputKind::AMReX:
-      if (const std::string fault = vtkExaBricksFileCheck::FindFault(path); !fault.empty())
-      {
-        Refuse("'" + path + "' is damaged: " + fault + ". Copy it anew, or write it once more.");
-      }
       return makeReader<vtkAMReXGridReader>(path);
-    case InputKind::Enzo:
-      return makeReader<vtkAMREnzoReader>(path);
+    case InputKind::Enzo: // which looks for its files in the root folder, if none is said
+      return makeReader<vtkAMREnzoReader>(fs::absolute(path).string());
     case InputKind::Flash:
       return makeReader<vtkAMRFlashReader>(path);
     case InputKind::VTKHDF:

@@ -2,7 +2,9 @@
 
 #include "Options.h"
 
+#include "DidYouMean.h"
 #include "Failure.h"
+#include "Output.h"
 #include "ParseValues.h"
 #include "Scene.h"
 
@@ -91,7 +93,7 @@ struct Texts
 void addOptions(CLI::App& app, Options& o, Texts& texts)
 {
   app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT");
-  app.add_option("output", o.Output, "PNG file to write")->type_name("OUTPUT.png");
+  app.add_option("output", o.Output, "File to write: .png or .jpg")->type_name("OUTPUT.png");
   app
     .add_option(
       "--scene", o.Scene, "Take what is not asked for from a file that --stats or the viewer wrote")
@@ -103,6 +105,11 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->trigger_on_parse();
   app.add_option("--stats", o.Statistics, "Write all numbers of the run to this file")
     ->type_name("FILE.json");
+  app
+    .add_option("--turntable", o.Turntable,
+      "Draw N pictures of one turn about the upward axis, OUTPUT-0000.png and on")
+    ->type_name("N")
+    ->check(CLI::Range(2, 10000));
   app.add_flag("-q,--quiet", o.Quiet, "Print nothing but errors");
 
   const std::string data = "Data";
@@ -190,6 +197,8 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->type_name("V,V,...")
     ->delimiter(',')
     ->group(look);
+  app.add_flag("--annotate", o.Annotate, "Draw axes around the data, and a scalar bar")
+    ->group(look);
   app.add_flag("--shade", o.Shaded, "Light the volume from the camera")->group(look);
 
   const std::string method = "Method";
@@ -271,6 +280,17 @@ void printDevices(std::ostream& out)
   }
 }
 
+std::vector<std::string> colorMaps()
+{
+  std::vector<std::string> names;
+  std::istringstream text(vtkExaBricksFirstPicture::GetColorMapNames());
+  for (std::string name; std::getline(text >> std::ws, name, ',');)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
 void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
@@ -294,17 +314,17 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
   {
     if (o.Output.empty())
     {
-      refuse("No output was named: give a PNG file after the input, such as picture.png.");
+      refuse("No output was named: give a file after the input, such as picture.png.");
     }
-    if (std::filesystem::path(o.Output).extension() != ".png")
+    if (const std::string ending = pictureEnding(o.Output); ending != ".png" && ending != ".jpg")
     {
-      refuse("The output has to end in .png, found '" + o.Output + "'.");
+      refuse("The output has to end in .png, .jpg or .jpeg, found '" + o.Output + "'.");
     }
   }
   if (!vtkExaBricksFirstPicture::HasColorMap(o.ColorMap))
   {
     refuse("--color-map takes one of " + vtkExaBricksFirstPicture::GetColorMapNames() + ", not '" +
-      o.ColorMap + "'.");
+      o.ColorMap + "'." + didYouMean(o.ColorMap, colorMaps()));
   }
   if (viewGiven && o.Position)
   {

@@ -30,9 +30,11 @@ struct Options
 {
   std::string Scene; // from which all was taken that was not asked for; empty: none
   std::string Input;
-  std::string Output;     // PNG
+  std::string Output;     // PNG or JPEG; of a turntable, a number comes before its ending
   std::string Statistics; // JSON; empty: none
   bool ListArrays = false;
+  int Turntable = 0; // pictures of one turn; 0: one picture
+  bool Annotate = false;
   bool Quiet = false;
 
   std::string Array;            // empty: density, temperature, or the first scalar one that varies

@@ -6,10 +6,13 @@
 #include "Messages.h"
 
 #include "vtkImageData.h"
+#include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -182,16 +185,37 @@ void writeText(const std::string& path, const std::string& text)
   writeWhole(path, text.data(), text.size());
 }
 
-void writePNG(const std::string& path, vtkImageData* image)
+std::string pictureEnding(const std::string& path)
 {
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  throwIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  writeWhole(path, reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".jpeg" ? ".jpg" : ending;
+}
+
+void writePicture(const std::string& path, vtkImageData* image)
+{
+  const auto write = [&](auto* writer)
+  {
+    writer->SetInputData(image);
+    writer->WriteToMemoryOn();
+    writer->Write();
+    throwIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    writeWhole(path, reinterpret_cast<const char*>(bytes->GetPointer(0)),
+      static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  };
+  if (pictureEnding(path) == ".jpg")
+  {
+    vtkNew<vtkJPEGWriter> writer;
+    writer->SetQuality(95);
+    write(writer.Get());
+  }
+  else
+  {
+    vtkNew<vtkPNGWriter> writer;
+    write(writer.Get());
+  }
 }
 
 }

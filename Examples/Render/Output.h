@@ -18,7 +18,11 @@ namespace render
 void checkWritable(const std::string& path);
 
 void writeText(const std::string& path, const std::string& text);
-void writePNG(const std::string& path, vtkImageData* image);
+
+// Of a picture's file: .png, .jpg (of .jpeg too), or another one in small letters.
+std::string pictureEnding(const std::string& path);
+// PNG or JPEG, by the ending.
+void writePicture(const std::string& path, vtkImageData* image);
 
 }
 

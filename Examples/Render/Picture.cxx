@@ -2,9 +2,11 @@
 
 #include "Picture.h"
 
+#include "Annotation.h"
 #include "Framing.h"
 #include "Messages.h"
 
+#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkExaBricksBuilder.h"
@@ -250,6 +252,26 @@ void Picture::ApplyProperty()
   property->SetScalarOpacityUnitDistance(this->OpacityUnit);
   property->SetInterpolationTypeToLinear();
   property->SetShade(this->Asked.Shaded);
+}
+
+void Picture::Annotate(const std::string& title)
+{
+  double bounds[6];
+  this->Data()->GetBounds(bounds);
+  // Those of all data may be far outside of the picture.
+  if (this->Asked.Opacity.empty())
+  {
+    this->Chosen->GetShownBounds(bounds);
+  }
+  annotate(this->Ren, bounds, this->Volume->GetProperty()->GetRGBTransferFunction(), title);
+  this->Ren->ResetCameraClippingRange();
+}
+
+void Picture::Turn(double degrees)
+{
+  this->Ren->GetActiveCamera()->Azimuth(degrees);
+  this->Ren->ResetCameraClippingRange();
+  this->DrawFrame();
 }
 
 double Picture::DrawFrame()

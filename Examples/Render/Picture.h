@@ -34,8 +34,14 @@ public:
   // Builds bricks and regions, then chooses what the options leave to the data.
   void Prepare();
 
+  // Axes around the data, and a scalar bar with a title. After Prepare().
+  void Annotate(const std::string& title);
+
   // Draws once, then as often as is to be timed.
   void Draw();
+
+  // Draws after the camera has gone around the upward axis by so many degrees.
+  void Turn(double degrees);
 
   vtkSmartPointer<vtkImageData> Pixels() const;
 

@@ -28,18 +28,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-// What is drawn, such as log10(velocity, component 2).
-std::string arrayText(const Run& run)
-{
-  std::string text = run.Array.Name;
-  if (run.Array.Components > 1)
-  {
-    text += run.Asked.Component ? ", component " + std::to_string(*run.Asked.Component)
-                                : std::string(", magnitude");
-  }
-  return run.Asked.Log ? "log10(" + text + ")" : text;
-}
-
 std::vector<std::string> otherArrays(const Run& run)
 {
   std::vector<std::string> names;
@@ -117,7 +105,7 @@ void printNotes(std::ostream& out, const Run& run)
     startLine(out, "Hint")
       << "nothing is visible: no value in the data has an opacity above zero\n";
   }
-  else if (largestContrast(run) < 96)
+  else if (!run.Asked.Annotate && largestContrast(run) < 96)
   {
     startLine(out, "Hint") << "little is visible: try --opacity, a smaller --opacity-unit, another "
                               "--color-map or --background\n";
@@ -199,6 +187,17 @@ Json timesJson(const Run& run)
 
 }
 
+std::string arrayText(const Options& options, const ArrayInfo& array)
+{
+  std::string text = array.Name;
+  if (array.Components > 1)
+  {
+    text += options.Component ? ", component " + std::to_string(*options.Component)
+                              : std::string(", magnitude");
+  }
+  return options.Log ? "log10(" + text + ")" : text;
+}
+
 void printArrays(std::ostream& out, const AMRFile& file)
 {
   for (const ArrayInfo& array : file.Arrays())
@@ -207,6 +206,11 @@ void printArrays(std::ostream& out, const AMRFile& file)
     if (array.Components > 1)
     {
       out << "  (" << array.Components << " components)";
+    }
+    if (array.Range[0] <= array.Range[1])
+    {
+      out << "  " << array.Range[0] << " to " << array.Range[1]
+          << (array.Components > 1 ? ", magnitude" : "") << " on the coarsest level";
     }
     out << '\n';
   }
@@ -222,7 +226,8 @@ void printReport(std::ostream& out, const Run& run)
   startLine(out, "Input") << run.Asked.Input << ", " << data->GetNumberOfLevels() << " levels, "
                           << data->GetNumberOfBlocks() << " blocks, "
                           << data->GetNumberOfLeafCells() << " leaf cells\n";
-  startLine(out, "Array") << arrayText(run) << ", " << range[0] << " to " << range[1];
+  startLine(out, "Array") << arrayText(run.Asked, run.Array) << ", " << range[0] << " to "
+                          << range[1];
   std::string others;
   for (const std::string& name : otherArrays(run))
   {
@@ -261,7 +266,12 @@ void printReport(std::ostream& out, const Run& run)
                            << " device\n";
   printNotes(out, run);
   startLine(out, "Picture") << run.Asked.Output << ", " << run.Asked.Size[0] << " x "
-                            << run.Asked.Size[1] << '\n';
+                            << run.Asked.Size[1];
+  if (run.Asked.Turntable > 0)
+  {
+    out << ", " << run.Asked.Turntable << " of them, numbered";
+  }
+  out << '\n';
 }
 
 std::string statisticsJson(const Run& run)

@@ -24,6 +24,9 @@ struct Run
   bool LogChosen = false; // for the options' Log, as they left it open
 };
 
+// What is drawn, such as log10(velocity, component 2).
+std::string arrayText(const Options& options, const ArrayInfo& array);
+
 void printArrays(std::ostream& out, const AMRFile& file);
 void printReport(std::ostream& out, const Run& run);
 

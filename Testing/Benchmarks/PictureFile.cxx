@@ -42,7 +42,7 @@ void writePicture(const reference::Image& image, const std::string& folder, cons
       *out++ = static_cast<unsigned char>(std::lround(255.0 * std::clamp(pixel[c], 0.0, 1.0)));
     }
   }
-  render::writePNG((std::filesystem::path(folder) / name).string(), pixels);
+  render::writePicture((std::filesystem::path(folder) / name).string(), pixels);
 }
 }
 }
