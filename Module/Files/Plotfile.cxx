@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/Plotfile.h"
 
+#include "Files/Bytes.h"
 #include "Files/TextScanner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t MostLevels = 64;
 constexpr std::int64_t FarthestCell = std::int64_t(1) << 30; // indices are 32 bits wide
-constexpr std::uintmax_t LargestHeader = std::uintmax_t(1) << 31;
 
 struct CellBox
 {
@@ -39,26 +38,6 @@ struct CellBox
     return this->lo == other.lo && this->hi == other.hi;
   }
 };
-
-std::string readText(const fs::path& path)
-{
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file)
-  {
-    throw FileFault("expected the file '" + path.string() + "', found none that can be read");
-  }
-  if (size > LargestHeader)
-  {
-    throw FileFault("expected a header of text, found a file of " + std::to_string(size) +
-      " bytes in '" + path.string() + "'");
-  }
-  std::string text(size, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(size));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
 
 // ((lo) (hi) (centering)), each of three numbers
 CellBox readBox(TextScanner& scanner)
@@ -115,10 +94,14 @@ Header readHeader(const fs::path& folder)
 {
   TextScanner scanner("'Header'", readText(folder / "Header"));
   const std::string version = scanner.line("the version of a plotfile");
-  if (version != "HyperCLaw-V1.1")
-  {
-    scanner.fail("the version 'HyperCLaw-V1.1'", "'" + version.substr(0, 40) + "'");
-  }
+  readKind(
+    [&]
+    {
+      if (version != "HyperCLaw-V1.1")
+      {
+        scanner.fail("the version 'HyperCLaw-V1.1'", "'" + version.substr(0, 40) + "'");
+      }
+    });
   Header header;
   header.components =
     scanner.integer("the number of variables", 1, static_cast<std::int64_t>(scanner.size()));
@@ -126,7 +109,7 @@ Header readHeader(const fs::path& folder)
   {
     scanner.line("the name of a variable");
   }
-  scanner.integer("the number of dimensions", 3, 3);
+  readKind([&] { scanner.integer("the number of dimensions", 3, 3); });
   scanner.number("the time");
   header.levels.resize(static_cast<std::size_t>(
     scanner.integer("the number of the finest level", 0, MostLevels - 1) + 1));
@@ -173,7 +156,7 @@ Header readHeader(const fs::path& folder)
       }
     }
   }
-  scanner.integer("the kind of coordinates, Cartesian", 0, 0);
+  readKind([&] { scanner.integer("the kind of coordinates, Cartesian", 0, 0); });
   scanner.integer("the width of a boundary", 0, 0);
   for (std::size_t i = 0; i < header.levels.size(); ++i)
   {
@@ -212,21 +195,10 @@ struct Fab
 Fab readFab(const fs::path& folder, const std::string& name, std::uintmax_t offset,
   const CellBox& box, std::int64_t components, std::int64_t ghosts)
 {
-  std::error_code error;
-  const fs::path path = folder / name;
-  const std::uintmax_t size = fs::file_size(path, error);
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file)
-  {
-    throw FileFault("expected the file '" + path.string() + "', found none that can be read");
-  }
-  std::string line;
-  file.seekg(static_cast<std::streamoff>(std::min<std::uintmax_t>(offset, size)));
-  char character = 0;
-  while (line.size() < 400 && file.get(character) && character != '\n')
-  {
-    line += character;
-  }
+  Bytes file(folder / name);
+  const std::uintmax_t size = file.size();
+  std::string line = file.read(offset, 400);
+  line.resize(std::min(line.find('\n'), line.size()));
   TextScanner scanner("the box at byte " + std::to_string(offset) + " of '" + name + "'", line);
   for (const char expected : { 'F', 'A', 'B', '(', '(' })
   {
@@ -385,13 +357,9 @@ std::string findPlotfileFault(const fs::path& folder)
     }
     return {};
   }
-  catch (const FileFault& fault)
+  catch (const std::exception& fault)
   {
     return fault.what();
-  }
-  catch (const fs::filesystem_error& error)
-  {
-    return error.what();
   }
 }
 }

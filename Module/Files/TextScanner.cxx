@@ -6,9 +6,42 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <locale>
+#include <sstream>
 
 namespace exabricks
 {
+void readKind(const std::function<void()>& read)
+{
+  try
+  {
+    read();
+  }
+  catch (const FileFault& fault)
+  {
+    throw FileFault("of a kind that is not read: " + std::string(fault.what()));
+  }
+}
+
+std::string inQuotes(const std::string& text)
+{
+  std::string shown;
+  for (const char c : text.substr(0, 60))
+  {
+    shown += std::isprint(static_cast<unsigned char>(c)) ? c : '?';
+  }
+  return "'" + shown + "'";
+}
+
+std::string inDigits(double number)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(12);
+  text << number;
+  return text.str();
+}
+
 void TextScanner::SkipBlanks()
 {
   while (
@@ -39,8 +72,9 @@ void TextScanner::fail(const std::string& expected, const std::string& found) co
   const auto end =
     this->Text.begin() + static_cast<std::ptrdiff_t>(std::min(this->At, this->Text.size()));
   throw FileFault("expected " + expected + " in line " +
-    std::to_string(1 + std::count(this->Text.begin(), end, '\n')) + " of " + this->File +
-    ", found " + found);
+    std::to_string(
+      this->FirstLine + static_cast<std::size_t>(std::count(this->Text.begin(), end, '\n'))) +
+    " of " + this->File + ", found " + found);
 }
 
 std::int64_t TextScanner::integer(const std::string& what, std::int64_t least, std::int64_t most)
@@ -123,5 +157,28 @@ bool TextScanner::isNext(char character)
 {
   this->SkipBlanks();
   return this->At < this->Text.size() && this->Text[this->At] == character;
+}
+
+bool TextScanner::isAtEnd()
+{
+  this->SkipBlanks();
+  return this->At >= this->Text.size();
+}
+
+void TextScanner::endLine()
+{
+  while (this->At < this->Text.size() && this->Text[this->At] != '\n')
+  {
+    if (!std::isspace(static_cast<unsigned char>(this->Text[this->At])))
+    {
+      this->fail("the end of the line", this->Token());
+    }
+    ++this->At;
+  }
+}
+
+void TextScanner::skipLine()
+{
+  this->At = std::min(this->Text.find('\n', this->At), this->Text.size());
 }
 }

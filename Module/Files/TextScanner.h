@@ -5,6 +5,7 @@
 #define ExaBricksFilesTextScanner_h
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -16,12 +17,22 @@ struct FileFault : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Runs `read`. Its faults say that the file may be whole, but is of a kind that is not read.
+void readKind(const std::function<void()>& read);
+
+/// For words to the user: cut where it is long.
+std::string inQuotes(const std::string& text);
+/// With as many digits as tell it from its neighbours in these files.
+std::string inDigits(double number);
+
 class TextScanner
 {
 public:
-  TextScanner(std::string file, std::string text)
+  /// `firstLine`: the number of the text's first line in its file.
+  TextScanner(std::string file, std::string text, std::size_t firstLine = 1)
     : File(std::move(file))
     , Text(std::move(text))
+    , FirstLine(firstLine)
   {
   }
 
@@ -37,6 +48,12 @@ public:
   void expect(char character);
   /// Whether that character is the next one.
   bool isNext(char character);
+  /// Whether there are only blanks up to the end.
+  bool isAtEnd();
+  /// Up to the end of the line, there may be only blanks.
+  void endLine();
+  /// The rest of the line, whatever it is.
+  void skipLine();
 
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const;
   std::size_t size() const { return this->Text.size(); }
@@ -47,6 +64,7 @@ private:
 
   std::string File;
   std::string Text;
+  std::size_t FirstLine;
   std::size_t At = 0;
 };
 }

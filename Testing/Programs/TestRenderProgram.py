@@ -5,6 +5,7 @@
 Usage: TestRenderProgram.py PROGRAM rt_medium.vthb   (with a display, or under xvfb-run)
 """
 
+import base64
 import json
 import os
 import shutil
@@ -13,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+
+import AMRFiles
 
 PROGRAM, DATA = "", ""
 
@@ -35,12 +38,13 @@ def write(folder, name, text):
 
 
 def write_vthb(folder, cells):
-    """A .vthb with one block, whose file says that it has so many cells along each axis."""
-    write(folder, "block.vti", """<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
-        <ImageData WholeExtent="0 {0} 0 {0} 0 {0}" Origin="0 0 0" Spacing="1 1 1">
-        <Piece Extent="0 {0} 0 {0} 0 {0}"><CellData>
-        <DataArray type="Float32" Name="density" format="ascii">1 2 3</DataArray>
-        </CellData></Piece></ImageData></VTKFile>""".format(cells))
+    """A .vthb with one block of so many cells along each axis, all in a few bytes: what it says fits together."""
+    data = base64.b64encode(struct.pack("<4Q", 1, 4 * cells**3, 0, 8)) + base64.b64encode(bytes(8))
+    write(folder, "block.vti", """<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64"
+        compressor="vtkZLibDataCompressor"><ImageData WholeExtent="0 {0} 0 {0} 0 {0}" Origin="0 0 0" Spacing="1 1 1">
+        <Piece Extent="0 {0} 0 {0} 0 {0}"><PointData></PointData><CellData>
+        <DataArray type="Float32" Name="density" format="binary">{1}</DataArray>
+        </CellData></Piece></ImageData></VTKFile>""".format(cells, data.decode()))
     return write(folder, "data.vthb", """<VTKFile type="vtkOverlappingAMR" version="1.1" byte_order="LittleEndian">
         <vtkOverlappingAMR origin="0 0 0" grid_description="XYZ"><Block level="0" spacing="1 1 1">
         <DataSet index="0" amr_box="0 {0} 0 {0} 0 {0}" file="block.vti"/>
@@ -92,10 +96,10 @@ class RenderProgramTest(unittest.TestCase):
         self.refused(BAD_ARGUMENTS, ["--colour", "--help"], DATA, self.png, "--colour", "x")
 
     def test_no_output(self):
-        self.refused(BAD_ARGUMENTS, ["PNG"], DATA)
+        self.refused(BAD_ARGUMENTS, ["No output", "picture.png"], DATA)
 
     def test_output_of_another_kind(self):
-        self.refused(BAD_ARGUMENTS, [".png", "a.jpg"], DATA, "a.jpg")
+        self.refused(BAD_ARGUMENTS, [".png", "a.gif"], DATA, "a.gif")
 
     def test_opacity_points(self):
         for points in ("1", "1:x", "0:0,1:2", "1:0,0:1", "0:0,", "0:nan", "0:0:0"):
@@ -143,6 +147,8 @@ class RenderProgramTest(unittest.TestCase):
     def test_unknown_array_lists_those_there_are(self):
         self.refused(BAD_ARGUMENTS, ["'nothing'", "density", "magvort"],
             DATA, self.png, "--array", "nothing")
+        self.refused(BAD_ARGUMENTS, ["Did you mean 'density'?"], DATA, self.png, "--array", "Densty")
+        self.refused(BAD_ARGUMENTS, ["Did you mean 'viridis'?"], DATA, self.png, "--color-map", "virdis")
 
     def test_component_of_a_scalar(self):
         self.refused(BAD_ARGUMENTS, ["--component 1", "density"],
@@ -181,6 +187,23 @@ class RenderProgramTest(unittest.TestCase):
             os.remove(os.path.join(copy, "rt_medium", "rt_medium_7.vti"))
             path = os.path.join(copy, os.path.basename(DATA))
             self.refused(INPUT_UNREADABLE, ["rt_medium_7.vti"], path, self.png)
+
+    def test_damaged_files(self):
+        for name, write_whole, file, old, new, words in (
+            ("an AMReX plotfile", AMRFiles.write_plotfile, "Level_1/Cell_H", "(11,11,11)", "(11,99,11)", ["is damaged: "]),
+            ("a 2-D one", AMRFiles.write_plotfile, "Header", "\n3\n0.5", "\n2\n0.5", ["is damaged, or of a kind that is not read: "]),
+            ("Enzo", AMRFiles.write_enzo, "data0003.hierarchy", "= 10 10 10", "= 10 10 1", ["is damaged: ", "'data0003.hierarchy'"]),
+            (".vthb", AMRFiles.write_vthb, "data/data_1.vti", "0 4 0 8", "0 4 0 9", ["is damaged: ", "'data/data_1.vti'"]),
+        ):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path = write_whole(os.path.join(folder, "whole"))
+                damaged = os.path.join(folder, "whole", file)
+                with open(damaged, encoding="latin-1", newline="") as text:
+                    whole = text.read()
+                self.assertIn(old, whole)
+                with open(damaged, "w", encoding="latin-1", newline="") as text:
+                    text.write(whole.replace(old, new, 1))
+                self.refused(INPUT_UNREADABLE, [str(path), "expected", "Copy it anew", *words], path, self.png)
 
     def test_header_that_says_more_than_fits_into_memory(self):
         # The sanitizers would end the program where memory runs out; VTK's readers lose what they had when they throw.
@@ -256,7 +279,9 @@ class RenderProgramTest(unittest.TestCase):
     def test_list_arrays(self):
         done = self.run_program(DATA, "--list-arrays")
         self.assertEqual(done.returncode, FINE, done.stderr)
-        self.assertEqual(done.stdout.split(), ["density", "magvort"])
+        self.assertEqual([line.split()[0] for line in done.stdout.splitlines()], ["density", "magvort"])
+        for line in done.stdout.splitlines():
+            self.assertRegex(line, r"^\S+  \S+ to \S+ on the coarsest level$")
 
     def draw(self, *arguments):
         stats = os.path.join(self.folder.name, "stats.json")
@@ -300,6 +325,13 @@ class RenderProgramTest(unittest.TestCase):
         self.assertEqual(stats["seconds"]["frame_median"], sorted(stats["seconds"]["frames"])[1])
         self.assertGreater(stats["bytes"]["host"], 0)
 
+    def test_enzo_in_the_current_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = AMRFiles.write_enzo(os.path.join(folder, "whole"))
+            done = self.run_program(path.name, "--list-arrays", cwd=path.parent)
+        self.assertEqual(done.returncode, FINE, done.stderr)
+        self.assertEqual(done.stdout.split()[0], "Density")
+
     def test_first_array_is_taken(self):
         done, stats = self.draw()
         self.assertEqual(stats["input"]["array"], "density")
@@ -324,10 +356,11 @@ class RenderProgramTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             values = [10.0 ** (6.0 * (i / 63.0) ** 6) for i in range(64)]
             path = write_vthb(folder, 4)
-            block = os.path.join(folder, "block.vti")
-            with open(block, encoding="ascii") as file:
-                text = file.read().replace("1 2 3</DataArray>", " ".join(map(str, values)) + "</DataArray>")
-            write(folder, "block.vti", text)
+            write(folder, "block.vti", """<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+                <ImageData WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1">
+                <Piece Extent="0 4 0 4 0 4"><CellData>
+                <DataArray type="Float64" Name="density" format="ascii">%s</DataArray>
+                </CellData></Piece></ImageData></VTKFile>""" % " ".join(map(str, values)))
             stats = os.path.join(folder, "stats.json")
             for options, log in (([], True), (["--linear"], False), (["--range", "1", "10"], False)):
                 with self.subTest(options):
@@ -417,6 +450,35 @@ class RenderProgramTest(unittest.TestCase):
         self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface")
         self.refused(BAD_ARGUMENTS, ["--blend-mode isosurface"], DATA, self.png, "--iso", "1")
         self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface", "--iso", "-1", "--log")
+
+    def test_turntable(self):
+        done = self.run_program(DATA, self.png, "--size", "48x32", "--turntable", "3", "--array", "magvort")
+        self.assertEqual(done.returncode, FINE, done.stderr)
+        names = ["picture-%04d.png" % i for i in range(3)]
+        self.assertEqual(sorted(os.listdir(self.folder.name)), names)
+        pictures = set()
+        for name in names:
+            with open(os.path.join(self.folder.name, name), "rb") as file:
+                pictures.add(file.read())
+        self.assertEqual(len(pictures), 3)
+
+    def test_other_endings(self):
+        for name, magic in (("a.PNG", b"\x89PNG"), ("a.jpg", b"\xff\xd8"), ("a.JPEG", b"\xff\xd8")):
+            with self.subTest(name):
+                path = os.path.join(self.folder.name, name)
+                done = self.run_program(DATA, path, "--size", "48x32", "--levels", "1")
+                self.assertEqual(done.returncode, FINE, done.stderr)
+                with open(path, "rb") as file:
+                    self.assertTrue(file.read().startswith(magic))
+
+    def test_annotation(self):
+        """Axes and a scalar bar are drawn on the background."""
+        paths = []
+        for options in ([], ["--annotate"]):
+            self.draw("--background", "white", *options)
+            with open(self.png, "rb") as file:
+                paths.append(file.read())
+        self.assertNotEqual(*paths)
 
     def test_quiet(self):
         done, _ = self.draw("--quiet")
