@@ -87,6 +87,11 @@ bool vtkExaBricksFirstPicture::HasColorMap(const std::string& name)
 void vtkExaBricksFirstPicture::FillColorMap(
   const std::string& name, const double range[2], vtkColorTransferFunction* colors)
 {
+  if (!colors)
+  {
+    vtkGenericWarningMacro("Expected a color function to fill, found none.");
+    return;
+  }
   double spread[2] = { range[0], range[1] };
   if (!(spread[0] < spread[1]))
   {
@@ -124,6 +129,11 @@ std::string vtkExaBricksFirstPicture::AddLogarithm(
 
 void vtkExaBricksFirstPicture::InitializeProperty(vtkVolumeProperty* property)
 {
+  if (!property)
+  {
+    vtkErrorMacro("Expected a volume property to initialize, found none.");
+    return;
+  }
   for (int component = 0; component < VTK_MAX_VRCOMP; ++component)
   {
     vtkNew<vtkColorTransferFunction> colors;
@@ -139,6 +149,12 @@ void vtkExaBricksFirstPicture::InitializeProperty(vtkVolumeProperty* property)
 
 void vtkExaBricksFirstPicture::InitializeCamera(vtkCamera* camera, double aspect)
 {
+  if (!camera || !(aspect > 0.0))
+  {
+    vtkErrorMacro("Expected a camera and a width of the picture by its height above 0, found "
+      << (camera ? "a camera" : "none") << " and " << aspect << ".");
+    return;
+  }
   const double* const b = this->ShownBounds;
   const double middle[3] = { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
   const double away = vtkMath::Norm(middle) + 1.0; // so that rounding leaves a direction

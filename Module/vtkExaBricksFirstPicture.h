@@ -62,9 +62,9 @@ public:
   ///@{
   /**
    * What was chosen: the range of values over which a color map is spread; the length, in the
-   * data's own coordinates, for which opacities hold; the bounds, in world coordinates, of the part
-   * that holds all but a fiftieth, along each axis, of what shows; and whether, of values that are
-   * no logarithms, logarithms would show more.
+   * data's own coordinates, for which opacities hold; the bounds, in the same coordinates, of the
+   * part that holds all but a fiftieth, along each axis, of what shows; and whether, of values that
+   * are no logarithms, logarithms would show more.
    */
   vtkGetVector2Macro(ColorRange, double);
   vtkGetMacro(ScalarOpacityUnitDistance, double);
@@ -103,8 +103,9 @@ public:
   ///@}
 
   /// Adds log10 of a cell array to every block that has it, as an array of doubles, and returns its
-  /// name, "log10(array)". Of several components one is taken, or the magnitude where `component`
-  /// is negative. Where there is no logarithm the value is NaN, which the mapper takes for absent.
+  /// name, "log10(array)". Of several components one is taken, which is part of the name, or the
+  /// magnitude where `component` is negative. Where there is no logarithm the value is NaN, which
+  /// the mapper takes for absent.
   static std::string AddLogarithm(
     vtkOverlappingAMR* amr, const std::string& array, int component = -1);
 

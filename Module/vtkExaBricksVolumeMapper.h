@@ -386,7 +386,8 @@ public:
   /// In a selector's passes (vtkHardwareSelector, vtkPropPicker, area picks), draws the numbers
   /// that it asks for: of the prop where more than 3/255 of opacity shows, as VTK's GPU mapper
   /// does; of blocks and cells, where cells are selected, at the place at which opacity comes to
-  /// 0.05. Where points are selected, nothing is.
+  /// 0.05. Where points are selected, nothing is. Of volumes that overlap, each finds its own first
+  /// cells, and those of the one that VTK draws last are told.
   void Render(vtkRenderer* ren, vtkVolume* vol) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -151,6 +151,7 @@ void drawIntoFile(Options options)
 
   const render::Run run{ options, file, *picture, array, readTime.count(),
     options.Log && !logAsked };
+  const std::string statistics = statisticsJson(run); // of the first picture of a turntable
   if (options.Turntable > 0)
   {
     writeTurntable(options, *picture);
@@ -161,7 +162,7 @@ void drawIntoFile(Options options)
   }
   if (!options.Statistics.empty())
   {
-    writeText(options.Statistics, statisticsJson(run));
+    writeText(options.Statistics, statistics);
   }
   if (!options.Quiet)
   {

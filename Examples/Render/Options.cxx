@@ -86,7 +86,7 @@ CLI::Validator positiveNumber()
 // The options as typed, where a value has to be looked at after CLI11 is through.
 struct Texts
 {
-  std::string Size, Position, Focal, Up, Background, Component, Opacity;
+  std::string Size, Position, Focal, Up, Background, Component, Opacity, Iso;
   std::vector<double> Range;
 };
 
@@ -192,10 +192,8 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->check(
       CLI::IsMember({ "composite", "maximum", "minimum", "average", "additive", "isosurface" }))
     ->group(look);
-  app
-    .add_option("--iso", o.IsoValues, "Values of iso-surfaces, which --blend-mode isosurface draws")
+  app.add_option("--iso", texts.Iso, "Values of iso-surfaces, which --blend-mode isosurface draws")
     ->type_name("V,V,...")
-    ->delimiter(',')
     ->group(look);
   app.add_flag("--annotate", o.Annotate, "Draw axes around the data, and a scalar bar")
     ->group(look);
@@ -260,6 +258,10 @@ void takeTexts(const Texts& texts, Options& o)
   {
     o.Opacity = parseOpacity("--opacity", texts.Opacity);
   }
+  if (!texts.Iso.empty())
+  {
+    o.IsoValues = parseNumbers("--iso", texts.Iso);
+  }
   if (!texts.Range.empty())
   {
     o.Range = { { texts.Range[0], texts.Range[1] } };
@@ -321,7 +323,7 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
       refuse("The output has to end in .png, .jpg or .jpeg, found '" + o.Output + "'.");
     }
   }
-  if (!vtkExaBricksFirstPicture::HasColorMap(o.ColorMap))
+  if (o.Colors.empty() && !vtkExaBricksFirstPicture::HasColorMap(o.ColorMap))
   {
     refuse("--color-map takes one of " + vtkExaBricksFirstPicture::GetColorMapNames() + ", not '" +
       o.ColorMap + "'." + didYouMean(o.ColorMap, colorMaps()));
@@ -375,6 +377,12 @@ std::string findScene(int argc, char** argv)
 void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
 {
   const auto asked = [&](const char* option) { return app.count(option) > 0; };
+  // The scene names the input: what stands alone is the output.
+  if (app.count("input") == 1 && app.count("output") == 0 && !scene.Input.empty() && !o.ListArrays)
+  {
+    o.Output = o.Input;
+    o.Input = scene.Input;
+  }
   if (asked("--view"))
   {
     o.Position.reset();
@@ -390,8 +398,12 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
   {
     o.Log = false;
   }
-  const bool otherValues =
-    (asked("--array") && o.Array != scene.Array) || o.Log != scene.Log || asked("--component");
+  if (asked("--color-map"))
+  {
+    o.Colors.clear();
+  }
+  const bool otherArray = asked("--array") && o.Array != scene.Array;
+  const bool otherValues = otherArray || o.Log != scene.Log || asked("--component");
   if (otherValues)
   {
     if (!asked("--range"))
@@ -402,7 +414,8 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
     {
       o.Opacity.clear();
     }
-    if (!asked("--component"))
+    o.Colors.clear();
+    if (otherArray && !asked("--component"))
     {
       o.Component.reset();
     }

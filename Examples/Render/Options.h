@@ -20,6 +20,12 @@ struct OpacityPoint
   double Opacity; // of the unit distance
 };
 
+struct ColorPoint
+{
+  double Value;
+  Vector3 Color;
+};
+
 struct Plane
 {
   Vector3 Origin;
@@ -52,6 +58,7 @@ struct Options
   double Zoom = 1.0;
 
   std::string ColorMap = "viridis";
+  std::vector<ColorPoint> Colors;             // in place of a map, in the values drawn
   std::optional<std::array<double, 2>> Range; // in units of the array, also with Log
   std::vector<OpacityPoint> Opacity;          // likewise; empty: from the histogram
   double OpacityUnit = 0.0;                   // 0: from the data

@@ -123,6 +123,21 @@ std::optional<int> parseComponent(const std::string& option, const std::string& 
   return static_cast<int>(number);
 }
 
+std::vector<double> parseNumbers(const std::string& option, const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : splitText(text, ','))
+  {
+    double number = 0.0;
+    if (!parseNumber(part, number))
+    {
+      Refuse(option, "numbers, separated by commas, such as 1.5,2", part);
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
 std::vector<OpacityPoint> parseOpacity(const std::string& option, const std::string& text)
 {
   const std::string expected = "points value:opacity, separated by commas, such as 0:0,4:0.1,8:0.5";

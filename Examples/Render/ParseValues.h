@@ -17,6 +17,7 @@ std::array<int, 2> parseSize(const std::string& option, const std::string& text)
 Vector3 parseVector(const std::string& option, const std::string& text);
 Vector3 parseColor(const std::string& option, const std::string& text);
 std::optional<int> parseComponent(const std::string& option, const std::string& text);
+std::vector<double> parseNumbers(const std::string& option, const std::string& text);
 std::vector<OpacityPoint> parseOpacity(const std::string& option, const std::string& text);
 
 }

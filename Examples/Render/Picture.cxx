@@ -20,6 +20,7 @@
 #include "vtkPlane.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWindowToImageFilter.h"
@@ -240,7 +241,14 @@ void Picture::ChooseOpacity()
 void Picture::ApplyProperty()
 {
   vtkNew<vtkColorTransferFunction> colors;
-  vtkExaBricksFirstPicture::FillColorMap(this->Asked.ColorMap, this->ColorRange, colors);
+  if (this->Asked.Colors.empty())
+  {
+    vtkExaBricksFirstPicture::FillColorMap(this->Asked.ColorMap, this->ColorRange, colors);
+  }
+  for (const ColorPoint& point : this->Asked.Colors)
+  {
+    colors->AddRGBPoint(point.Value, point.Color[0], point.Color[1], point.Color[2]);
+  }
   vtkNew<vtkPiecewiseFunction> opacity;
   for (const OpacityPoint& point : this->Opacity)
   {
@@ -269,7 +277,29 @@ void Picture::Annotate(const std::string& title)
 
 void Picture::Turn(double degrees)
 {
-  this->Ren->GetActiveCamera()->Azimuth(degrees);
+  vtkCamera* camera = this->Ren->GetActiveCamera();
+  double up[3];
+  std::copy_n(camera->GetViewUp(), 3, up);
+  if (this->Asked.Up && this->Asked.Scene.empty())
+  {
+    std::copy_n(this->Asked.Up->data(), 3, up);
+  }
+  else
+  {
+    // That of the data that is nearest to the picture's: pictures from above lean, and their
+    // turntable does not.
+    const auto largest =
+      std::max_element(up, up + 3, [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const double axis[3] = { largest == up ? 1.0 : 0.0, largest == up + 1 ? 1.0 : 0.0,
+      largest == up + 2 ? 1.0 : 0.0 };
+    std::copy_n(axis, 3, up);
+  }
+  const double* const focal = camera->GetFocalPoint();
+  vtkNew<vtkTransform> turn;
+  turn->Translate(focal);
+  turn->RotateWXYZ(degrees, up);
+  turn->Translate(-focal[0], -focal[1], -focal[2]);
+  camera->ApplyTransform(turn);
   this->Ren->ResetCameraClippingRange();
   this->DrawFrame();
 }

@@ -87,7 +87,8 @@ void printNotes(std::ostream& out, const Run& run)
   if (absent > 0)
   {
     startLine(out, "Absent") << absent << " leaf cells, which hold "
-                             << (run.Asked.Log ? "no number above zero" : "no number") << '\n';
+                             << (run.Asked.Log ? "no number above zero" : "no number")
+                             << ", or lie in embedded boundaries\n";
   }
   if (!run.Asked.Log && range[0] > 0.0 && range[1] > 1000.0 * range[0])
   {
@@ -142,8 +143,14 @@ Json lookJson(const Run& run)
   {
     opacity.push_back({ point.Value, point.Opacity });
   }
+  Json colors;
+  for (const ColorPoint& point : run.Asked.Colors)
+  {
+    colors.push_back({ point.Value, point.Color[0], point.Color[1], point.Color[2] });
+  }
   return { { "color_map", run.Asked.ColorMap }, { "color_range", run.Result.ColorRange },
-    { "opacity", opacity }, { "opacity_from_histogram", run.Asked.Opacity.empty() },
+    { "colors", colors }, { "opacity", opacity },
+    { "opacity_from_histogram", run.Asked.Opacity.empty() },
     { "opacity_unit", run.Result.OpacityUnit }, { "background", run.Asked.Background } };
 }
 
@@ -285,7 +292,11 @@ std::string statisticsJson(const Run& run)
     { "vtk", vtkVersion::GetVTKVersion() } };
   json["input"] = { { "file", run.Asked.Input }, { "reader", run.File.ReaderName() },
     { "array", run.Array.Name }, { "components", run.Array.Components }, { "component", nullptr },
-    { "log10", run.Asked.Log }, { "other_arrays", otherArrays(run) } };
+    { "log10", run.Asked.Log }, { "levels", nullptr }, { "other_arrays", otherArrays(run) } };
+  if (run.Asked.Levels > 0)
+  {
+    json["input"]["levels"] = run.Asked.Levels;
+  }
   if (run.Array.Components > 1)
   {
     json["input"]["component"] =

@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 
 namespace render
 {
@@ -37,6 +39,10 @@ void readInput(const Json& input, Options& o)
   }
   o.Log = input.at("log10");
   o.Linear = !o.Log;
+  if (input.at("levels").is_number_integer())
+  {
+    o.Levels = input.at("levels");
+  }
 }
 
 void readCamera(const Json& camera, Options& o)
@@ -55,6 +61,18 @@ void readLook(const Json& look, Options& o)
   const auto value = [&](double drawn) { return o.Log ? std::pow(10.0, drawn) : drawn; };
   o.ColorMap = look.at("color_map");
   o.Range = { { value(look.at("color_range").at(0)), value(look.at("color_range").at(1)) } };
+  if (!((*o.Range)[0] < (*o.Range)[1]))
+  {
+    o.Range.reset(); // of one value alone
+  }
+  o.Colors.clear();
+  if (!look.at("colors").is_null())
+  {
+    for (const Json& point : look.at("colors"))
+    {
+      o.Colors.push_back({ point.at(0), { { point.at(1), point.at(2), point.at(3) } } });
+    }
+  }
   o.Opacity.clear();
   for (const Json& point : look.at("opacity"))
   {
@@ -68,7 +86,7 @@ void readView(const Json& view, Options& o)
 {
   o.BlendMode = view.at("blend_mode");
   o.IsoValues.clear();
-  for (const Json& value : view.at("iso_values"))
+  for (const Json& value : o.BlendMode == "isosurface" ? view.at("iso_values") : Json::array())
   {
     o.IsoValues.push_back(o.Log ? std::pow(10.0, value.get<double>()) : value.get<double>());
   }
@@ -84,6 +102,28 @@ void readView(const Json& view, Options& o)
     o.Cropping = view.at("cropping").get<std::array<double, 6>>();
   }
   o.Shaded = view.at("shaded");
+}
+
+// What options are checked for as they are read.
+void check(const std::string& path, const Options& o)
+{
+  const auto isOneOf = [](const std::string& name, std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), name) != names.end(); };
+  if (o.Size[0] < 1 || o.Size[1] < 1)
+  {
+    refuse(path, "its picture has no size");
+  }
+  if (!isOneOf(o.Reconstruction, { "basis", "nearest", "completed" }))
+  {
+    refuse(path, "'" + o.Reconstruction + "' is no reconstruction");
+  }
+  if (!(o.ViewAngle > 0.0 && o.ViewAngle < 180.0) || !(o.OpacityUnit > 0.0) ||
+    !(o.StepScale > 0.0) || !(o.ErrorTolerance >= 0.0 && o.ErrorTolerance < 1.0))
+  {
+    refuse(path,
+      "expected a view_angle between 0 and 180, an opacity_unit and a step_scale above 0 and an "
+      "error_tolerance in [0, 1), found others");
+  }
 }
 
 }
@@ -107,6 +147,7 @@ void readScene(const std::string& path, Options& options)
     options.StepScale = method.at("step_scale");
     options.ErrorTolerance = method.at("error_tolerance");
     readView(scene.at("view"), options);
+    check(path, options);
   }
   catch (const Json::exception& error)
   {

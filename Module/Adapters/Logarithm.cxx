@@ -46,7 +46,8 @@ struct LogarithmWorker
 
 std::string addLogarithm(vtkOverlappingAMR* amr, const std::string& array, int component)
 {
-  const std::string name = "log10(" + array + ")";
+  const std::string which = component < 0 ? "" : ", component " + std::to_string(component);
+  std::string name = "log10(" + array + ")";
   forEachBlock(amr,
     [&](vtkDataSet* block)
     {
@@ -55,15 +56,19 @@ std::string addLogarithm(vtkOverlappingAMR* amr, const std::string& array, int c
       {
         return;
       }
+      if (in->GetNumberOfComponents() > 1)
+      {
+        name = "log10(" + array + which + ")";
+      }
       // The magnitude of a scalar would lose its sign.
-      const int which = in->GetNumberOfComponents() == 1 ? 0 : component;
+      const int taken = in->GetNumberOfComponents() == 1 ? 0 : component;
       vtkNew<vtkDoubleArray> out;
       out->SetName(name.c_str());
       out->SetNumberOfTuples(in->GetNumberOfTuples());
       LogarithmWorker worker;
-      if (!vtkArrayDispatch::Dispatch::Execute(in, worker, out.Get(), which))
+      if (!vtkArrayDispatch::Dispatch::Execute(in, worker, out.Get(), taken))
       {
-        worker(in, out.Get(), which);
+        worker(in, out.Get(), taken);
       }
       block->GetCellData()->AddArray(out);
     });

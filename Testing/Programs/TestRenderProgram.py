@@ -128,6 +128,7 @@ class RenderProgramTest(unittest.TestCase):
             ("--opacity-unit", "inf"),
             ("--frames", "many"),
             ("--traversal", "fast"),
+            ("--iso", "1,x"),
         ):
             with self.subTest(option=option, value=value):
                 self.refused(BAD_ARGUMENTS, [option], DATA, self.png, option, value)
@@ -414,7 +415,7 @@ class RenderProgramTest(unittest.TestCase):
     def test_scene(self):
         """What --stats writes draws the same picture again, and what is asked for counts before it."""
         for asked in (
-            ["--array", "magvort", "--view", "+y", "--color-map", "inferno", "--shade"],
+            ["--array", "magvort", "--view", "+y", "--color-map", "inferno", "--shade", "--levels", "2"],
             ["--array", "magvort", "--log", "--parallel", "--zoom", "1.5", "--step-scale", "2"],
             ["--blend-mode", "isosurface", "--iso", "1.2,1.8"],
             ["--blend-mode", "maximum", "--error-tolerance", "0.02"],
@@ -434,7 +435,16 @@ class RenderProgramTest(unittest.TestCase):
                     found = json.load(file)
                 for part in ("input", "view", "method"):
                     self.assertEqual(found[part], stats[part])
-                done = self.run_program("--scene=" + scene, DATA, again, "--size", "40x30", "--quiet")
+                # As the viewer writes it: without iso-values that do not show; and a single name is the output's.
+                with open(scene, encoding="utf-8") as file:
+                    other = json.load(file)
+                if other["view"]["blend_mode"] != "isosurface":
+                    other["view"]["iso_values"] = [0.0]
+                other["input"]["file"] = DATA
+                other["picture"]["look"].update(color_map="mine", colors=[[0.0, 1, 0, 0], [2.0, 0, 0, 1]])
+                with open(scene, "w", encoding="utf-8") as file:
+                    json.dump(other, file)
+                done = self.run_program("--scene=" + scene, again, "--size", "40x30", "--quiet")
                 self.assertEqual(done.returncode, FINE, done.stderr)
                 self.assertEqual(png_size(again), (40, 30))
 

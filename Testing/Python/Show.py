@@ -49,6 +49,8 @@ for wrong, words in (
     (lambda: exabricks.show(amr, "pressure"), (ValueError, "magvort")),
     (lambda: exabricks.show(amr, "density", component=1), (ValueError, "component")),
     (lambda: exabricks.show(amr, "density", color_map="rainbow"), (ValueError, "viridis")),
+    (lambda: exabricks.show(amr, levels=1), (ValueError, "SetLevelRange")),
+    (lambda: exabricks.show(scene, "density"), (ValueError, "set_array")),
 ):
     try:
         wrong()
@@ -57,7 +59,17 @@ for wrong, words in (
         assert words[1] in str(error), error
 
 # Without a display: VTK before 9.4 needs an X server, which is started unless there is none to start.
-script = f"import exabricks; print(exabricks.show({DATA!r}, 'magvort', size=(40, 30), interactive=False).pixels.max())"
+# The second picture is one too, and a viewer is refused.
+script = f"""
+import exabricks
+for _ in range(2):
+    picture = exabricks.show({DATA!r}, 'magvort', size=(40, 30))
+try:
+    exabricks.show({DATA!r}, 'magvort', interactive=True)
+except RuntimeError as error:
+    assert "display" in str(error)
+    print(picture.pixels.max())
+"""
 environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
 done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False)
 assert done.returncode == 0 and int(done.stdout) > 100, (done.stdout, done.stderr)

@@ -186,6 +186,13 @@ with tempfile.TemporaryDirectory() as folder:
         scene.load_color_preset("preset.json")
         colors = scene.volume_property.GetRGBTransferFunction()
         assert scene.color_range == (low, high) and colors.GetColor(low) == (1.0, 0.0, 0.0), colors.GetColor(low)
+        # Another array keeps the colors, and so does a scene.
+        scene.set_array("density")
+        scene.save("preset-scene.json")
+        kept = exabricks.VolumeScene.load("preset-scene.json")
+        low, high = kept.color_range
+        assert numpy.allclose(kept.volume_property.GetRGBTransferFunction().GetColor(high), (0.0, 0.0, 1.0), atol=1e-6)
+        scene.set_array("magvort")
         try:
             scene.load_color_preset("preset.json", "three")
             raise AssertionError("an unknown preset")
@@ -193,6 +200,37 @@ with tempfile.TemporaryDirectory() as folder:
             assert "'three'" in str(error) and "two" in str(error), error
     finally:
         os.chdir(home)
+
+# A button that is let go outside of the editor is let go.
+press("m")  # the editor shows the functions that the scene has now
+opacity = scene.opacity
+inner = opacity[len(opacity) // 2]
+drag(in_window(*inner), (in_window(*inner)[0], SIZE[1] - 40))
+interactor.SetEventInformation(in_window(*inner)[0] + 30, 60)
+moved = scene.opacity
+interactor.InvokeEvent("MouseMoveEvent")
+assert scene.opacity == moved and moved != opacity
+
+# A step that cannot be read leaves all as it was, and is told of.
+viewer.files.append("no-such-file.vthb")
+before = scene.to_dict()
+viewer.go_to(0)
+interactor.SetKeySym("Right")
+press("Right")
+press("Right")
+assert viewer.step == 1 and "no-such-file" in viewer.said and scene.to_dict() == before, viewer.said
+
+# Pictures beside the viewer are without its annotations, and afterwards the scene is free for another one.
+beside = scene.picture((120, 100)).pixels.astype(int)
+viewer.render()
+viewer.close()
+assert scene.renderer.GetViewProps().GetNumberOfItems() == 1 and not scene.annotations, "the volume alone is left"
+assert scene.renderer.GetViewport() == (0.0, 0.0, 1.0, 1.0)
+assert numpy.abs(scene.picture((120, 100)).pixels.astype(int) - beside).max() <= 1
+again = viewing.Viewer(scene)
+again.interactor.Initialize()
+again.render()
+again.close()
 
 # The program.
 assert viewing.main(["no-such-file.vthb"]) == 3

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether there is a display to draw on, and one that nobody sees where VTK needs it."""
 
-import atexit
 import ctypes
 import ctypes.util
 import os
@@ -19,9 +18,13 @@ def in_notebook():
     return bool(kernel) and type(kernel).__name__ == "ZMQInteractiveShell"
 
 
-def has_display():
-    """Whether windows can be opened."""
-    if sys.platform in ("win32", "darwin"):
+_kept = []  # connections: a server whose last client leaves may start anew, and refuses those who come just then
+_own_server = []  # the X server of ensure_drawing(), which nobody sees
+
+
+def _connect():
+    """Whether an X server answers."""
+    if _kept:
         return True
     library = ctypes.util.find_library("X11")
     if not os.environ.get("DISPLAY") or not library:
@@ -30,26 +33,36 @@ def has_display():
     x11.XOpenDisplay.restype = ctypes.c_void_p
     connection = x11.XOpenDisplay(None)
     if connection:
-        x11.XCloseDisplay(ctypes.c_void_p(connection))
+        _kept.append(connection)
     return bool(connection)
+
+
+def has_display():
+    """Whether windows can be opened that somebody sees."""
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return not _own_server and _connect()
 
 
 def ensure_drawing():
     """Lets VTK draw off screen where there is no display: before 9.4 it ends the program without an X server.
 
-    Starts Xvfb (Debian: xvfb) until the program ends. Raises RuntimeError where that is missing.
+    Starts Xvfb (Debian: xvfb), which ends with this program. Raises RuntimeError where that is missing.
     """
     version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
-    if has_display() or version >= (9, 4):
+    if has_display() or _own_server or version >= (9, 4):
         return
     if not shutil.which("Xvfb"):
         raise RuntimeError(
             f"VTK {vtkVersion.GetVTKVersion()} draws on an X server only, and there is none. Install xvfb, or set DISPLAY")
+    # It ends when the last client leaves: the connection that is kept.
     server = subprocess.Popen(  # pylint: disable=consider-using-with
-        ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-terminate", "-nolisten", "tcp"],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    atexit.register(server.terminate)
     number = server.stdout.readline().strip()
-    if not number:
+    if number:
+        os.environ["DISPLAY"] = ":" + number
+    if not number or not _connect():
+        server.terminate()
         raise RuntimeError("Xvfb did not start: run it by hand to see why")
-    os.environ["DISPLAY"] = ":" + number
+    _own_server.append(server)

@@ -104,8 +104,10 @@ class _AMRFile:
     def __init__(self, path: Path):
         self.path = _without_slash(os.fsdecode(path))
         self.reader = _reader_for(self.path)
+        # VTK's Enzo reader looks for files beside the name as it is given, and not in the folder that is the current one.
+        name = os.path.abspath(self.path) if self.path.endswith(".hierarchy") else self.path
         self.warnings: List[str] = []
-        self._run(lambda: self.reader.SetFileName(self.path))  # some readers open the file right away
+        self._run(lambda: self.reader.SetFileName(name))  # some readers open the file right away
         self._run(self.reader.UpdateInformation)
         self.selection = self.reader.GetCellDataArraySelection()
         self.selection.EnableAllArrays()
@@ -212,7 +214,9 @@ def _reader_for(path: str) -> Any:
         )
     fault = vtkExaBricksFileCheck.FindFault(path)
     if fault:
-        raise ReadError(f"'{path}' is damaged: {fault}. Copy it anew, or write it once more.")
+        kind = os.path.isdir(path)  # a plotfile may be whole, and 2-D
+        raise ReadError(f"'{path}' is damaged{', or of a kind that is not read' if kind else ''}: {fault}. "
+                        "Copy it anew, or write it once more.")
     return reader
 
 

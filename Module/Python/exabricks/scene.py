@@ -4,7 +4,6 @@
 import json
 import os
 
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkOverlappingAMR, vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -71,8 +70,8 @@ class VolumeScene:
 
     `source`: the path of an AMR file, or a vtkOverlappingAMR, whose blocks may get another array and hidden cells.
     `array`: of cells; None: density, temperature, or the first that varies. `component`: of several; None: their magnitude.
-    `levels`: how many are read, from the coarsest on. `log`: whether logarithms are drawn; None: where they show more.
-    Raises ReadError where nothing can be read, and ValueError for arguments that do not fit.
+    `levels`: how many are read of a file, from the coarsest on. `log`: whether logarithms are drawn; None: where they show
+    more. Raises ReadError where nothing can be read, and ValueError for arguments that do not fit.
 
         scene = exabricks.VolumeScene("plt00216", "density")
         scene.mapper.SetErrorTolerance(0.004)
@@ -86,13 +85,20 @@ class VolumeScene:
         self.renderer = vtkRenderer()
         self.renderer.AddVolume(self.volume)
         self.first = vtkExaBricksFirstPicture()
-        self.component = component
-        self.levels = levels
         self.size = tuple(size)
-        self.path = None
-        self.color_map = color_map
+        self.levels = levels
+        self.annotations = []  # props of a viewer, which are not in pictures
+        self.iso_values = []  # those that somebody asked for
+        self._preset = None  # of colors that are no named map: (color space, [(place in [0, 1], red, green, blue)])
         self._set_color_map(color_map)
-        self.array = self._load(source, array)
+        in_memory = isinstance(source, vtkOverlappingAMR)
+        if in_memory and levels is not None:
+            raise ValueError("expected levels of a file, of which so many are read, found data in memory: set "
+                             "mapper.SetLevelRange() of the scene")
+        self._own_amr = source if in_memory else None
+        self.path = None if in_memory else os.fspath(source)
+        self.array, self.component = None, None
+        self._take(self._load(self.path, array, component))
         self._draw_array(log)
         self.frame()
 
@@ -117,53 +123,40 @@ class VolumeScene:
         self.first.SetColorMap(name)
         self.color_map = name
 
-    def _load(self, source, array):
-        """Reads what is drawn, and returns the array's name."""
-        if isinstance(source, vtkOverlappingAMR):
-            self.arrays = _arrays_of(source)
+    def _load(self, path, array, component):
+        """What is drawn of a file, or of the data in memory: (path, arrays, AMR, array, component)."""
+        if path is None:
+            arrays = _arrays_of(self._own_amr)
         else:
-            self.path = os.fspath(source)
-            self.arrays = {
-                name: (info.components, _varies(info.ranges)) for name, info in list_arrays(self.path).items()}
-        chosen = self._choose_array(array)
-        if self.path is None:
-            self.amr = source
+            arrays = {name: (info.components, _varies(info.ranges)) for name, info in list_arrays(path).items()}
+        array, component = _choose_array(arrays, array, component)
+        if path is None:
+            amr = self._own_amr
         else:
-            fractions = [name for name in self.arrays if vtkExaBricksFirstPicture.IsVolumeFraction(name)]
-            self.amr = read(self.path, self.levels, [chosen, *(name for name in fractions if name != chosen)])
-        if not vtkExaBricksFirstPicture.IsVolumeFraction(chosen):
-            vtkExaBricksFirstPicture.HideCoveredCells(self.amr)
-        return chosen
+            fractions = [name for name in arrays if vtkExaBricksFirstPicture.IsVolumeFraction(name)]
+            amr = read(path, self.levels, [array, *(name for name in fractions if name != array)])
+        if not vtkExaBricksFirstPicture.IsVolumeFraction(array):
+            vtkExaBricksFirstPicture.HideCoveredCells(amr)
+        return path, arrays, amr, array, component
 
-    def _choose_array(self, array):
-        if not self.arrays:
-            raise ValueError("expected cell arrays, of which one is drawn, found none")
-        if array is None:
-            def preference(name):
-                components, varies = self.arrays[name]
-                return (components == 1, varies, vtkExaBricksFirstPicture.GetArrayPreference(name))
+    def _take(self, loaded):
+        self.path, self.arrays, self.amr, self.array, self.component = loaded
 
-            array = max(self.arrays, key=preference)
-        if array not in self.arrays:
-            raise ValueError(f"expected an array of {', '.join(self.arrays)}, found {array!r}")
-        components = self.arrays[array][0]
-        if self.component is not None and not 0 <= self.component < components:
-            raise ValueError(f"expected a component from 0 to {components - 1} of {array!r}, found {self.component!r}")
-        return array
-
-    def set_array(self, array, log=None):
+    def set_array(self, array, log=None, component=None):
         """Draws another array of the file or data, with colors and opacities chosen anew. The camera stays."""
-        self.component = None
-        self.array = self._load(self.path if self.path is not None else self.amr, array)
+        self._take(self._load(self.path, array, component))
         self._draw_array(log)
 
     def set_source(self, path):
-        """Draws another file with the same array, colors, opacities and camera: another time step."""
-        log = self.log
-        self.path = os.fspath(path)
-        self.array = self._load(self.path, self.array)
-        self._select(log)
+        """Draws another file with the same array, colors, opacities and camera: another time step.
+
+        Raises ReadError or ValueError where it cannot be drawn; then all is as it was.
+        """
+        self._take(self._load(os.fspath(path), self.array, self.component))
+        self._select(self.log)
         self.mapper.Update()
+        self.first.Choose(self.data)
+        self.renderer.ResetCameraClippingRange()
 
     def _select(self, log):
         self.log = log
@@ -197,10 +190,12 @@ class VolumeScene:
             raise ValueError(f"expected cells with values of {self.array!r}, found none"
                              + (" above zero: draw it without logarithms" if self.log else ""))
         self.first.InitializeProperty(self.volume_property)
+        self._spread_preset(self.first.GetColorRange())
 
     def set_color_map(self, name):
         """Spreads another color map over the range that the colors have."""
         self._set_color_map(name)
+        self._preset = None
         vtkExaBricksFirstPicture.FillColorMap(name, self.color_range, self.volume_property.GetRGBTransferFunction())
 
     def load_color_preset(self, path, name=None):
@@ -217,17 +212,25 @@ class VolumeScene:
             raise ValueError(f"expected a color map of ParaView with RGBPoints{f' named {name!r}' if name else ''} "
                              f"in {path!r}, found {[preset.get('Name') for preset in presets]}")
         points = found[0]["RGBPoints"]
-        colors = self.volume_property.GetRGBTransferFunction()
-        low, high = self.color_range
         begin, end = points[0], points[-4]
-        colors.RemoveAllPoints()
-        spaces = {"RGB": colors.SetColorSpaceToRGB, "Lab": colors.SetColorSpaceToLab, "HSV": colors.SetColorSpaceToHSV,
-                  "Diverging": colors.SetColorSpaceToDiverging}
-        spaces.get(found[0].get("ColorSpace", "RGB"), colors.SetColorSpaceToRGB)()
-        for i in range(0, len(points), 4):
-            part = (points[i] - begin) / (end - begin) if end > begin else 0.0
-            colors.AddRGBPoint(low + part * (high - low), *points[i + 1:i + 4])
+        width = end - begin or 1.0
+        self._preset = (found[0].get("ColorSpace", "RGB"),
+                        [((points[i] - begin) / width, *points[i + 1:i + 4]) for i in range(0, len(points), 4)])
         self.color_map = found[0].get("Name", os.fspath(path))
+        self._spread_preset(self.color_range)
+
+    def _spread_preset(self, color_range):
+        if not self._preset:
+            return
+        space, points = self._preset
+        colors = vtkColorTransferFunction()
+        set_space = {"Lab": colors.SetColorSpaceToLab, "HSV": colors.SetColorSpaceToHSV,
+                     "Diverging": colors.SetColorSpaceToDiverging}
+        set_space.get(space, colors.SetColorSpaceToRGB)()
+        low, high = color_range
+        for place, *color in points:
+            colors.AddRGBPoint(low + place * (high - low), *color)
+        self.volume_property.SetColor(colors)
 
     @property
     def color_range(self):
@@ -258,30 +261,46 @@ class VolumeScene:
         self.renderer.ResetCameraClippingRange()
 
     def picture(self, size=None):
-        """Draws off screen, and returns a Picture. `size`: width and height in pixels."""
+        """Draws off screen what the renderer shows, but for what a viewer adds, and returns a Picture.
+
+        `size`: width and height in pixels.
+        """
         ensure_drawing()
         window = vtkRenderWindow()
         window.SetOffScreenRendering(1)
         window.SetMultiSamples(0)
         window.SetSize(*(size or self.size))
-        window.AddRenderer(self.renderer)
-        try:
-            self.renderer.ResetCameraClippingRange()
-            window.Render()
-            return grab(window)
-        finally:
-            window.RemoveRenderer(self.renderer)
-            self.volume.ReleaseGraphicsResources(window)
+        # The scene's own renderer may be in a window.
+        renderer = vtkRenderer()
+        renderer.SetBackground(self.renderer.GetBackground())
+        renderer.SetActiveCamera(self.camera)
+        for light in _items(self.renderer.GetLights()):
+            renderer.AddLight(light)
+        for prop in _items(self.renderer.GetViewProps()):
+            if prop not in self.annotations and not prop.IsA("vtkWidgetRepresentation"):
+                renderer.AddViewProp(prop)
+        window.AddRenderer(renderer)
+        renderer.ResetCameraClippingRange()
+        window.Render()
+        picture = grab(window)
+        for prop in _items(renderer.GetViewProps()):
+            prop.ReleaseGraphicsResources(window)
+        renderer.RemoveAllViewProps()
+        return picture
 
     # As a file
 
     def to_dict(self):
         """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data."""
         camera = self.camera
-        planes = self.mapper.GetClippingPlanes()
-        planes = [planes.GetItem(i) for i in range(planes.GetNumberOfItems())] if planes else []
+        planes = _items(self.mapper.GetClippingPlanes())
+        contours = self.volume_property.GetIsoSurfaceValues()
+        mode = next((name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode()), None)
+        if mode is None:
+            raise ValueError(f"expected a blend mode of {', '.join(BLEND_MODES)} to keep in a scene, found another one")
         return {
-            "input": {"file": self.path, "array": self.array, "component": self.component, "log10": self.log},
+            "input": {"file": self.path, "array": self.array, "component": self.component, "log10": self.log,
+                      "levels": self.levels},
             "picture": {
                 "size": list(self.size),
                 "camera": {
@@ -289,7 +308,7 @@ class VolumeScene:
                     "up": list(camera.GetViewUp()), "view_angle": camera.GetViewAngle(),
                     "parallel": bool(camera.GetParallelProjection()), "parallel_scale": camera.GetParallelScale()},
                 "look": {
-                    "color_map": self.color_map, "color_range": list(self.color_range),
+                    "color_map": self.color_map, "color_range": list(self.color_range), "colors": self._colors(),
                     "opacity": [list(point) for point in self.opacity],
                     "opacity_unit": self.volume_property.GetScalarOpacityUnitDistance(),
                     "background": list(self.renderer.GetBackground())}},
@@ -297,9 +316,9 @@ class VolumeScene:
                 "reconstruction": RECONSTRUCTIONS[self.mapper.GetReconstruction()],
                 "step_scale": self.mapper.GetStepScale(), "error_tolerance": self.mapper.GetErrorTolerance()},
             "view": {
-                "blend_mode": next(name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode()),
-                "iso_values": [self.volume_property.GetIsoSurfaceValues().GetValue(i)
-                               for i in range(self.volume_property.GetIsoSurfaceValues().GetNumberOfContours())],
+                "blend_mode": mode,
+                "iso_values": [contours.GetValue(i) for i in range(contours.GetNumberOfContours())]
+                              if mode == "isosurface" else [],
                 "levels": list(self.mapper.GetLevelRange()),
                 "clipping_planes": [{"origin": list(plane.GetOrigin()), "normal": list(plane.GetNormal())}
                                     for plane in planes],
@@ -307,17 +326,35 @@ class VolumeScene:
                 "shaded": bool(self.volume_property.GetShade())},
         }
 
+    def _colors(self):
+        """Of colors that are no named map: [value, red, green, blue] each, between which they are linear; else None."""
+        if not self._preset:
+            return None
+        function = self.volume_property.GetRGBTransferFunction()
+        low, high = function.GetRange()
+        values = [low + i / 32.0 * (high - low) for i in range(33)]
+        return [[value, *function.GetColor(value)] for value in values]
+
+    def set_iso_values(self, values):
+        """The values of iso-surfaces, of the array or its logarithm."""
+        self.iso_values = [float(value) for value in values]
+        contours = self.volume_property.GetIsoSurfaceValues()
+        contours.SetNumberOfContours(len(self.iso_values))
+        for number, value in enumerate(self.iso_values):
+            contours.SetValue(number, value)
+
     def save(self, path):
         """Writes the scene, as JSON."""
+        text = json.dumps(self.to_dict(), indent=2) + "\n"
         with open(path, "w", encoding="utf-8") as file:
-            json.dump(self.to_dict(), file, indent=2)
-            file.write("\n")
+            file.write(text)
 
     @classmethod
-    def load(cls, path, source=None):
-        """Opens a scene that save() or exabricks-render --stats wrote. `source`: data in place of the file it names.
+    def load(cls, path, source=None, *, array=None, component=None, levels=None, log=None):
+        """Opens a scene that save() or exabricks-render --stats wrote.
 
-        Raises ValueError where the file is none.
+        `source`: data in place of the file that it names. The others in place of what it says; where the values are not
+        those of the scene, colors and opacities are chosen anew. Raises ValueError where the file is none.
         """
         with open(path, encoding="utf-8") as file:
             try:
@@ -327,16 +364,25 @@ class VolumeScene:
         if not isinstance(settings, dict) or not all(isinstance(settings.get(part), dict) for part in OF_THE_DATA):
             raise ValueError(f"expected a scene with {', '.join(OF_THE_DATA)} in {os.fspath(path)!r}, found "
                              + (", ".join(settings) if isinstance(settings, dict) else type(settings).__name__))
-        what = settings["input"]
-        component = what.get("component")
-        scene = cls(what.get("file") if source is None else source, what.get("array"),
-                    component=component if isinstance(component, int) else None, log=bool(what.get("log10")),
-                    size=settings["picture"].get("size", (800, 600)))
-        scene.apply(settings)
-        return scene
+        try:
+            what = settings["input"]
+            if source is None and not what["file"]:
+                raise ValueError(f"expected data to draw the scene {os.fspath(path)!r} of, found none: it names no file")
+            kept = what["component"] if isinstance(what["component"], int) and array in (None, what["array"]) else None
+            scene = cls(
+                what["file"] if source is None else source, what["array"] if array is None else array,
+                component=kept if component is None else component,
+                levels=(what.get("levels") if levels is None else levels) if not isinstance(source, vtkOverlappingAMR)
+                else None,
+                log=bool(what["log10"]) if log is None else log, size=settings["picture"]["size"])
+            same = (scene.array, scene.component, scene.log) == (what["array"], kept, bool(what["log10"]))
+            scene.apply(settings, same)
+            return scene
+        except (KeyError, TypeError, IndexError) as error:
+            raise ValueError(f"expected a whole scene in {os.fspath(path)!r}, found one without {error}") from error
 
-    def apply(self, settings):
-        """Sets what to_dict() gives, but for the data."""
+    def apply(self, settings, with_values=True):
+        """Sets what to_dict() gives, but for the data. `with_values`: also colors, opacities and iso-values."""
         picture = settings["picture"]
         camera = picture["camera"]
         self.camera.SetPosition(camera["position"])
@@ -346,13 +392,8 @@ class VolumeScene:
         self.camera.SetParallelProjection(camera["parallel"])
         self.camera.SetParallelScale(camera["parallel_scale"])
         look = picture["look"]
-        colors = vtkColorTransferFunction()
-        if look["color_map"] in color_map_names():
-            self._set_color_map(look["color_map"])
-        vtkExaBricksFirstPicture.FillColorMap(self.color_map, look["color_range"], colors)
-        self.volume_property.SetColor(colors)
-        self.opacity = look["opacity"]
-        self.volume_property.SetScalarOpacityUnitDistance(look["opacity_unit"])
+        if with_values:
+            self._apply_look(look)
         self.renderer.SetBackground(look["background"])
         method = settings["method"]
         self.mapper.SetReconstruction(RECONSTRUCTIONS.index(method["reconstruction"]))
@@ -360,11 +401,8 @@ class VolumeScene:
         self.mapper.SetErrorTolerance(method["error_tolerance"])
         view = settings.get("view", {})
         self.mapper.SetBlendMode(BLEND_MODES[view.get("blend_mode", "composite")])
-        values = view.get("iso_values", [])
-        contours = self.volume_property.GetIsoSurfaceValues()
-        contours.SetNumberOfContours(len(values))
-        for number, value in enumerate(values):
-            contours.SetValue(number, value)
+        if with_values:
+            self.set_iso_values(view.get("iso_values", []))
         if "levels" in view:
             self.mapper.SetLevelRange(*view["levels"])
         self.mapper.RemoveAllClippingPlanes()
@@ -379,6 +417,21 @@ class VolumeScene:
         self.volume_property.SetShade(bool(view.get("shaded")))
         self.renderer.ResetCameraClippingRange()
 
+    def _apply_look(self, look):
+        low, high = look["color_range"]
+        if look.get("colors"):
+            width = high - low or 1.0
+            self._preset = ("RGB", [((value - low) / width, *color) for value, *color in look["colors"]])
+            self.color_map = look["color_map"]
+            self._spread_preset((low, high))
+        else:
+            colors = vtkColorTransferFunction()
+            self._set_color_map(look["color_map"])
+            vtkExaBricksFirstPicture.FillColorMap(self.color_map, (low, high), colors)
+            self.volume_property.SetColor(colors)
+        self.opacity = look["opacity"]
+        self.volume_property.SetScalarOpacityUnitDistance(look["opacity_unit"])
+
 
 def grab(window):
     """What a window shows, as a Picture."""
@@ -389,6 +442,28 @@ def grab(window):
     image.ShouldRerenderOff()
     image.Update()
     return Picture(image.GetOutput())
+
+
+def _items(collection):
+    return [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())] if collection else []
+
+
+def _choose_array(arrays, array, component):
+    """The array, and of several components the one, or None for their magnitude."""
+    if not arrays:
+        raise ValueError("expected cell arrays, of which one is drawn, found none")
+    if array is None:
+        def preference(name):
+            components, varies = arrays[name]
+            return (components == 1, varies, vtkExaBricksFirstPicture.GetArrayPreference(name))
+
+        array = max(arrays, key=preference)
+    if array not in arrays:
+        raise ValueError(f"expected an array of {', '.join(arrays)}, found {array!r}")
+    components = arrays[array][0]
+    if component is not None and not 0 <= component < components:
+        raise ValueError(f"expected a component from 0 to {components - 1} of {array!r}, found {component!r}")
+    return array, None if component is None else int(component)
 
 
 def _varies(ranges):
@@ -405,7 +480,9 @@ def _arrays_of(amr):
         cells = blocks.GetCurrentDataObject().GetCellData()
         for i in range(cells.GetNumberOfArrays()):
             array = cells.GetArray(i)
-            if array is None or isinstance(array, vtkUnsignedCharArray) and array.GetName() == "vtkGhostType":
+            # Without a name it cannot be asked for; logarithms are added to what is drawn.
+            if array is None or not array.GetName() or array.GetName() == "vtkGhostType" \
+                    or array.GetName().startswith("log10("):
                 continue
             components = array.GetNumberOfComponents()
             ranges = [array.GetFiniteRange(k) for k in range(components)]

@@ -71,8 +71,8 @@ class Viewer:
         self.scene = scene
         self.files = list(files)
         self.step = 0
-        self.iso_values_asked = False
         self.timer = None
+        self.pressed = False  # a button of the pointer, in the editor
         self.said = ""
 
         self.window = vtkRenderWindow()
@@ -85,9 +85,11 @@ class Viewer:
         self.camera_style = vtkInteractorStyleTrackballCamera()
         _take_keys_from(self.camera_style)
         self.interactor.SetInteractorStyle(self.camera_style)
-        for event in ("MouseMoveEvent", "LeftButtonPressEvent", "MiddleButtonPressEvent", "MouseWheelForwardEvent",
-                      "MouseWheelBackwardEvent"):
+        for event in ("MouseMoveEvent", "MouseWheelForwardEvent", "MouseWheelBackwardEvent"):
             self.interactor.AddObserver(event, self._choose_style, 10.0)
+        for button in ("Left", "Middle", "Right"):
+            self.interactor.AddObserver(button + "ButtonPressEvent", self._press, 10.0)
+            self.interactor.AddObserver(button + "ButtonReleaseEvent", self._release, 10.0)
         self.interactor.AddObserver("KeyPressEvent", self._key_pressed, 10.0)
         self.interactor.AddObserver("TimerEvent", self._tick)
         self.window.AddObserver("AbortCheckEvent", self._abort_if_asked)
@@ -103,16 +105,31 @@ class Viewer:
 
     # What is beside the volume
 
+    def _add(self, prop):
+        self.scene.renderer.AddViewProp(prop)
+        self.scene.annotations.append(prop)
+
+    def close(self):
+        """Leaves the scene as it was before, but for what was set of it."""
+        for widget in (self.plane_widget, self.box_widget, self.axes):
+            widget.SetEnabled(0)
+        for prop in (self.outline_actor, self.bar, self.help, self.status):
+            self.scene.renderer.RemoveViewProp(prop)
+            self.scene.annotations.remove(prop)
+        self.scene.renderer.SetViewport(0.0, 0.0, 1.0, 1.0)
+        self.window.RemoveRenderer(self.scene.renderer)
+        self.scene.volume.ReleaseGraphicsResources(self.window)
+
     def _annotate(self):
         self.outline = vtkOutlineSource()
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(self.outline.GetOutputPort())
-        outline = vtkActor()
+        outline = self.outline_actor = vtkActor()
         outline.SetMapper(mapper)
         outline.GetProperty().SetColor(0.6, 0.6, 0.6)
         outline.GetProperty().LightingOff()
         outline.PickableOff()
-        self.scene.renderer.AddActor(outline)
+        self._add(outline)
         self.bar = vtkScalarBarActor()
         self.bar.UnconstrainedFontSizeOn()
         self.bar.SetNumberOfLabels(5)
@@ -125,13 +142,14 @@ class Viewer:
             text.BoldOff()
             text.ItalicOff()
             text.ShadowOff()
-        self.scene.renderer.AddActor2D(self.bar)
+        self._add(self.bar)
         self.axes = vtkOrientationMarkerWidget()
         self.axes.SetOrientationMarker(vtkAxesActor())
         self.axes.SetInteractor(self.interactor)
         self.axes.SetViewport(0.0, 0.75, 0.16, 1.0)
         self.axes.SetEnabled(1)
         self.axes.InteractiveOff()
+        self.axes.KeyPressActivationOff()
         self.help = vtkTextActor()
         self.help.SetInput("\n".join(f"{LABELS.get(key, key):>6}  {words}" for key, words in KEYS))
         self.help.GetTextProperty().SetFontFamilyToCourier()
@@ -142,12 +160,12 @@ class Viewer:
         self.help.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
         self.help.SetPosition(0.02, 0.97)
         self.help.VisibilityOff()
-        self.scene.renderer.AddActor2D(self.help)
+        self._add(self.help)
         self.status = vtkTextActor()
         self.status.GetTextProperty().SetFontSize(13)
         self.status.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
         self.status.SetPosition(0.01, 0.01)
-        self.scene.renderer.AddActor2D(self.status)
+        self._add(self.status)
 
     def _editing(self, *_):
         self.window.SetDesiredUpdateRate(self.interactor.GetDesiredUpdateRate())
@@ -168,6 +186,7 @@ class Viewer:
         self.plane_widget.SetInteractor(self.interactor)
         self.plane_widget.SetRepresentation(representation)
         self.plane_widget.SetDefaultRenderer(self.scene.renderer)
+        self.plane_widget.KeyPressActivationOff()
         self.plane_widget.AddObserver("InteractionEvent", self._plane_moved)
         box = vtkBoxRepresentation()
         box.SetPlaceFactor(1.0)
@@ -175,6 +194,7 @@ class Viewer:
         self.box_widget.SetInteractor(self.interactor)
         self.box_widget.SetRepresentation(box)
         self.box_widget.SetDefaultRenderer(self.scene.renderer)
+        self.box_widget.KeyPressActivationOff()
         self.box_widget.RotationEnabledOff()
         self.box_widget.AddObserver("InteractionEvent", self._box_moved)
 
@@ -211,7 +231,7 @@ class Viewer:
 
     def _choose_style(self, *_):
         """The pointer edits where the editor is, and moves the camera elsewhere, until the button is let go."""
-        if self.camera_style.GetState() != 0:
+        if self.pressed:
             return
         _, y = self.interactor.GetEventPosition()
         inside = self.editor_shown and y < EDITOR_HEIGHT * self.window.GetSize()[1]
@@ -220,6 +240,14 @@ class Viewer:
             self.editor.attach(False)
             self.interactor.SetInteractorStyle(style)
             self.editor.attach(inside)
+
+    def _press(self, *_):
+        self._choose_style()
+        # The style of the camera takes all events until the button is let go.
+        self.pressed = self.interactor.GetInteractorStyle() is self.editor.style
+
+    def _release(self, *_):
+        self.pressed = False
 
     # Keys
 
@@ -259,16 +287,17 @@ class Viewer:
 
     def _key_n(self):
         names = list(self.scene.arrays)
-        self.scene.set_array(names[(names.index(self.scene.array) + 1) % len(names)])
+        here = names.index(self.scene.array) if self.scene.array in names else -1
+        self.scene.set_array(names[(here + 1) % len(names)])
         self._follow_data()
         self.say("")
 
     def _key_g(self):
         log = not self.scene.log
         try:
-            self.scene.set_array(self.scene.array, log)
+            self.scene.set_array(self.scene.array, log, self.scene.component)
         except ValueError:
-            self.scene.set_array(self.scene.array, not log)
+            self.scene.set_array(self.scene.array, not log, self.scene.component)
             raise
         finally:
             self._follow_data()
@@ -284,20 +313,11 @@ class Viewer:
     def _key_b(self):
         modes = list(BLEND_MODES.values())
         mode = modes[(modes.index(self.scene.mapper.GetBlendMode()) + 1) % len(modes)]
-        if mode == vtkExaBricksVolumeMapper.ISOSURFACE_BLEND and not self._iso_values():
+        if mode == vtkExaBricksVolumeMapper.ISOSURFACE_BLEND and not self.scene.iso_values:
             low, high = self.scene.color_range
-            self._set_iso_value(0.5 * (low + high))
+            self.scene.set_iso_values([0.5 * (low + high)])
         self.scene.mapper.SetBlendMode(mode)
         self.say("")
-
-    def _iso_values(self):
-        return self.scene.volume_property.GetIsoSurfaceValues().GetNumberOfContours() if self.iso_values_asked else 0
-
-    def _set_iso_value(self, value):
-        contours = self.scene.volume_property.GetIsoSurfaceValues()
-        contours.SetNumberOfContours(1)
-        contours.SetValue(0, value)
-        self.iso_values_asked = True
 
     def _pick(self):
         picker = vtkExaBricksPicker()
@@ -309,7 +329,7 @@ class Viewer:
         if not picker:
             self.say("nothing is under the pointer")
             return
-        self._set_iso_value(picker.GetValue())
+        self.scene.set_iso_values([picker.GetValue()])
         self.scene.volume_property.ShadeOn()
         self.scene.mapper.SetBlendModeToIsoSurface()
         self.say(f"iso-surface of {picker.GetValue():g}")
@@ -369,9 +389,9 @@ class Viewer:
         """Shows a time step, counted from 0, with the colors and the camera as they are."""
         if not 0 <= step < len(self.files):
             return
-        self.step = step
         self.scene.set_source(self.files[step])
-        self.editor.fill(self.scene, self._title())
+        self.step = step
+        self._follow_data()
         self.say("")
 
     def _key_Left(self):
@@ -389,7 +409,11 @@ class Viewer:
 
     def _tick(self, *_):
         if self.timer is not None:
-            self.go_to((self.step + 1) % len(self.files))
+            try:
+                self.go_to((self.step + 1) % len(self.files))
+            except (ValueError, OSError) as error:
+                self._key_space()
+                self.say(str(error))
 
     def _key_r(self):
         self.scene.frame()
@@ -417,10 +441,11 @@ class Viewer:
             self.window.SetAbortRender(1)
 
     def start(self):
-        """Opens the window, and returns when it is closed."""
+        """Opens the window, and returns when it is closed: then the scene can be used elsewhere."""
         self.interactor.Initialize()
         self.render()
         self.interactor.Start()
+        self.close()
 
 
 def _take_keys_from(style):
@@ -456,17 +481,18 @@ def _parser():
     log = parser.add_mutually_exclusive_group()
     log.add_argument("--log", action="store_true", default=None, help="draw logarithms [where they show more]")
     log.add_argument("--linear", dest="log", action="store_false", help="draw the values themselves")
-    parser.add_argument("--color-map", default="viridis", choices=color_map_names(), metavar="NAME",
+    parser.add_argument("--color-map", choices=color_map_names(), metavar="NAME",
                         help=", ".join(color_map_names()))
     parser.add_argument("--color-preset", metavar="FILE.json", help="colors of a color map that ParaView exported")
     parser.add_argument("--scene", metavar="FILE.json", help="a scene that was saved, or the --stats of exabricks-render")
-    parser.add_argument("--size", type=_size, default=(1024, 768), metavar="WxH", help="of the window, pixels [1024x768]")
+    parser.add_argument("--size", type=_size, metavar="WxH", help="of the window, pixels [1024x768, or the scene's]")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write the window to a file, and end")
     return parser
 
 
 def main(arguments=None):
-    """The program exabricks-view. Returns its exit status: 0, 2 for wrong arguments, 3 where nothing can be read."""
+    """The program exabricks-view. Returns its exit status: 0, 1 without a display, 2 for wrong arguments, 3 where nothing can
+    be read, 4 where nothing can be written."""
     parser = _parser()
     asked = parser.parse_args(arguments)
     if not asked.files and not asked.scene:
@@ -477,10 +503,15 @@ def main(arguments=None):
         return 1
     try:
         if asked.scene:
-            scene = VolumeScene.load(asked.scene, asked.files[0] if asked.files else None)
+            scene = VolumeScene.load(
+                asked.scene, asked.files[0] if asked.files else None, array=asked.array, component=asked.component,
+                levels=asked.levels, log=asked.log)
         else:
             scene = VolumeScene(asked.files[0], asked.array, component=asked.component, levels=asked.levels, log=asked.log,
-                                color_map=asked.color_map, size=asked.size)
+                                size=(1024, 768))
+        scene.size = asked.size or scene.size
+        if asked.color_map:
+            scene.set_color_map(asked.color_map)
         if asked.color_preset:
             scene.load_color_preset(asked.color_preset)
     except (ReadError, OSError, ValueError) as error:
@@ -489,7 +520,11 @@ def main(arguments=None):
     viewer = Viewer(scene, asked.files)
     if asked.screenshot:
         viewer.render()
-        grab(viewer.window).save(asked.screenshot)
+        try:
+            grab(viewer.window).save(asked.screenshot)
+        except OSError as error:
+            print(f"exabricks-view: {error}", file=sys.stderr)
+            return 4
         return 0
     viewer.start()
     return 0
