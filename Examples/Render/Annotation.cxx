@@ -70,7 +70,7 @@ void annotate(vtkRenderer* renderer, const double bounds[6], vtkScalarsToColors*
     setUp(text, gray);
     text->SetFontSize(13);
   }
-  renderer->AddActor2D(bar);
+  renderer->AddViewProp(bar);
 }
 
 }

@@ -34,6 +34,17 @@ inline vtkDataSet* getBlock(vtkOverlappingAMR* amr, unsigned int level, unsigned
 #endif
 }
 
+/// The number of a block among those of all levels, whether they are there or not: the composite
+/// index of selections.
+inline unsigned int numberOfBlock(vtkOverlappingAMR* amr, unsigned int level, unsigned int index)
+{
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  return static_cast<unsigned int>(amr->GetAbsoluteBlockIndex(level, index));
+#else
+  return static_cast<unsigned int>(amr->GetCompositeIndex(level, index));
+#endif
+}
+
 /// Calls f(vtkDataSet*) for each block that is there.
 template <typename Function>
 void forEachBlock(vtkOverlappingAMR* amr, const Function& f)

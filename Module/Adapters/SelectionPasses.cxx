@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adapters/SelectionPasses.h"
 
+#include "Adapters/AMRCompatibility.h"
+
 #include "vtkHardwareSelector.h"
 #include "vtkRenderer.h"
 
@@ -106,8 +108,8 @@ std::string SelectionPasses::color(vtkRenderer* ren, vtkOpenGLRenderWindow* wind
     color = prop;
     if (hasCell && pass == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
     {
-      color = colorOf(amr->GetCompositeIndex(
-        static_cast<unsigned int>(pixel.cell.level), static_cast<unsigned int>(pixel.cell.block)));
+      color = colorOf(numberOfBlock(amr, static_cast<unsigned int>(pixel.cell.level),
+        static_cast<unsigned int>(pixel.cell.block)));
     }
     else if (hasCell && pass == vtkHardwareSelector::CELL_ID_LOW24)
     {

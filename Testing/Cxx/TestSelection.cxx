@@ -72,8 +72,8 @@ struct Scene : test::Stage
         const bool same = selected == picked &&
           (!picked ||
             (pixel.AttributeID == this->picker->GetCellId() &&
-              static_cast<int>(pixel.CompositeID) ==
-                amr->GetCompositeIndex(static_cast<unsigned int>(this->picker->GetLevel()),
+              pixel.CompositeID ==
+                exabricks::numberOfBlock(amr, static_cast<unsigned int>(this->picker->GetLevel()),
                   static_cast<unsigned int>(this->picker->GetBlock()))));
         others += same ? 0 : 1;
       }
