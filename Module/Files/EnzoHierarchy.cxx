@@ -71,7 +71,7 @@ Triple readTriple(TextScanner& scanner, const std::string& what)
   return numbers;
 }
 
-// The reader takes the next word for it, whatever it is.
+// A word of its own: the reader takes the next word for it, whatever it is.
 void expectEquals(TextScanner& scanner)
 {
   const std::string word = scanner.word("'='");
@@ -144,7 +144,7 @@ Parameters readParameters(const fs::path& path)
       }
       scanner.endLine();
     }
-    else if (key == "InitialCycleNumber" || key == "InitialTime") // where reading ends, else
+    else if (key == "InitialCycleNumber" || key == "InitialTime") // the reader stops at others
     {
       expectEquals(scanner);
       if (key == "InitialTime")
@@ -159,7 +159,7 @@ Parameters readParameters(const fs::path& path)
     }
     else if (key == "TopGridRank")
     {
-      scanner.fail("one '" + key + "'", "a second one"); // of which the reader takes the last
+      scanner.fail("one '" + key + "'", "a second one");
     }
   }
   if (!missing.empty())
@@ -431,46 +431,57 @@ void checkPlaces(const std::vector<Grid>& grids, const Parameters& parameters)
   }
 }
 
-// The data sets of a grid that have cells, by their name.
-std::set<std::string> checkFields(
-  HDF5File& file, const HDF5File::Object& group, const Grid& grid, std::size_t number)
+// The names of a grid's data sets that have a value for each cell; none, if any is not of a kind
+// that is read. Some have other shapes: particles, and what lies on the faces of cells.
+std::set<std::string> checkFields(HDF5File& file, const HDF5File::Object& group, const Grid& grid,
+  std::size_t number, const std::set<std::string>& labels)
 {
   std::set<std::string> names;
+  bool areKnown = true;
   for (const auto& [name, place] : file.readMembers(group))
   {
     const HDF5File::Object object = file.readObject(place);
-    if (!object.isKnown || object.isGroup || object.shape.size() != 3 ||
-      name.compare(0, 8, "particle") == 0)
+    areKnown = areKnown && object.isKnown;
+    if (!object.isKnown || object.isGroup || object.shape.size() != 3)
     {
       continue;
     }
+    const bool isField = labels.count(name) > 0;
+    bool hasShape = true;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (object.shape[2 - axis] != static_cast<std::uint64_t>(grid.cells[axis]))
+      const std::uint64_t found = object.shape[2 - axis];
+      hasShape = hasShape && found == static_cast<std::uint64_t>(grid.cells[axis]);
+      if (isField && !hasShape)
       {
         fail(number, std::to_string(grid.cells[axis]) + " values of '" + name + "' along an axis",
-          std::to_string(object.shape[2 - axis]));
+          std::to_string(found));
       }
     }
     const bool isFloat = object.valueClass == 1;
-    if ((!isFloat && object.valueClass != 0) || object.valueBytes > 8 ||
-      (isFloat && object.valueBytes < 4))
+    if (isField &&
+      ((!isFloat && object.valueClass != 0) || object.valueBytes > 8 ||
+        (isFloat && object.valueBytes < 4)))
     {
       fail(number, "numbers of up to 8 bytes in '" + name + "'", "another type");
     }
-    names.insert(name);
+    if (hasShape)
+    {
+      names.insert(name);
+    }
   }
-  if (names.size() < static_cast<std::size_t>(grid.fields))
+  if (areKnown && names.size() < static_cast<std::size_t>(grid.fields))
   {
     fail(number, std::to_string(grid.fields) + " data sets with its cells",
       std::to_string(names.size()));
   }
-  return names;
+  return areKnown ? names : std::set<std::string>();
 }
 
 // Grids are groups of a file, or each file is one grid.
 void checkFile(const fs::path& path, const std::vector<Grid>& grids,
-  const std::vector<std::size_t>& numbers, std::vector<std::set<std::string>>& fields)
+  const std::vector<std::size_t>& numbers, const std::set<std::string>& labels,
+  std::vector<std::set<std::string>>& fields)
 {
   HDF5File file(path, "'" + path.filename().string() + "'");
   const HDF5File::Object root = file.root() > 0 ? file.readObject(file.root()) : HDF5File::Object();
@@ -497,7 +508,7 @@ void checkFile(const fs::path& path, const std::vector<Grid>& grids,
     const HDF5File::Object object = groups.empty() ? root : file.readObject(group->second);
     if (object.isGroup)
     {
-      fields[number - 1] = checkFields(file, object, grids[number - 1], number);
+      fields[number - 1] = checkFields(file, object, grids[number - 1], number, labels);
     }
   }
 }
@@ -511,16 +522,16 @@ void checkFiles(
     const std::string& file = grids[i].file;
     const std::size_t slash = file.rfind('/');
     files[slash == std::string::npos ? file : file.substr(slash + 1)].push_back(i + 1);
-    if (grids[i].fields > static_cast<std::int64_t>(parameters.labels.size()))
+    if (grids[i].fields > static_cast<std::int64_t>(parameters.labelled.size()))
     {
       fail(i + 1, "a 'DataLabel' for each of its " + std::to_string(grids[i].fields) + " fields",
-        std::to_string(parameters.labels.size()));
+        std::to_string(parameters.labelled.size()));
     }
   }
   std::vector<std::set<std::string>> fields(grids.size());
   for (const auto& [name, numbers] : files)
   {
-    checkFile(folder / name, grids, numbers, fields);
+    checkFile(folder / name, grids, numbers, parameters.labels, fields);
   }
   // What one grid has and another has not, the reader crashes on, if it has a factor.
   for (const std::string& label : parameters.labels)

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 constexpr std::int64_t MostLevels = 64;
 constexpr std::int64_t FarthestCell = std::int64_t(1) << 30; // VTK's indices are 32 bits wide
 constexpr std::int64_t MostCells = std::int64_t(1) << 20;    // of a block, along an axis
-constexpr double MostBins = 1 << 26; // where VTK sorts the boxes of a level, all over it
+// VTK sorts the boxes of a level into bins of their average size, all over the level.
+constexpr double MostBins = 1 << 28;
 
 struct CellBox
 {
@@ -175,7 +176,7 @@ private:
       [](const Block& block) { return block.box.empty(); });
     if (isEmpty)
     {
-      return; // which VTK reads where no level follows
+      return; // VTK reads that, if no other level follows
     }
     const std::vector<double> spacing = this->File.numbers(element, "spacing", 3);
     std::copy(spacing.begin(), spacing.end(), level.spacing.begin());
