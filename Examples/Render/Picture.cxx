@@ -266,7 +266,7 @@ void Picture::Annotate(const std::string& title)
 {
   double bounds[6];
   this->Data()->GetBounds(bounds);
-  // Those of all data may be far outside of the picture.
+  // Bounds of all data may reach far beyond the picture.
   if (this->Asked.Opacity.empty())
   {
     this->Chosen->GetShownBounds(bounds);
