@@ -385,9 +385,16 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
   }
   if (asked("--view"))
   {
-    o.Position.reset();
-    o.Focal.reset();
-    o.Up.reset();
+    const auto keepAsked = [&](const char* option, std::optional<Vector3>& of)
+    {
+      if (!asked(option))
+      {
+        of.reset();
+      }
+    };
+    keepAsked("--position", o.Position);
+    keepAsked("--focal", o.Focal);
+    keepAsked("--up", o.Up);
     o.ParallelScale = 0.0;
   }
   if (asked("--log"))
@@ -420,7 +427,7 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
       o.Component.reset();
     }
   }
-  if (asked("--step-scale"))
+  if (asked("--step-scale") && !asked("--error-tolerance"))
   {
     o.ErrorTolerance = 0.0;
   }
@@ -471,8 +478,7 @@ bool parseOptions(int argc, char** argv, Options& options)
   {
     dropFromScene(app, before, options);
   }
-  checkTogether(options, app.count("--view") > 0,
-    app.count("--step-scale") > 0 && app.count("--error-tolerance") > 0);
+  checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0);
   return true;
 }
 

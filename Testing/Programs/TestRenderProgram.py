@@ -448,6 +448,16 @@ class RenderProgramTest(unittest.TestCase):
                 self.assertEqual(done.returncode, FINE, done.stderr)
                 self.assertEqual(png_size(again), (40, 30))
 
+    def test_options_with_a_scene_hold_together(self):
+        """As they have to without one."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.draw("--array", "magvort")
+            scene = shutil.move(os.path.join(self.folder.name, "stats.json"), folder)
+            os.remove(self.png)
+            for asked in (["--step-scale", "2", "--error-tolerance", "0.01"], ["--view", "+x", "--position", "9,9,9"]):
+                with self.subTest(asked):
+                    self.refused(BAD_ARGUMENTS, asked[::2], "--scene", scene, DATA, self.png, *asked)
+
     def test_wrong_scenes(self):
         with tempfile.TemporaryDirectory() as folder:
             self.refused(BAD_ARGUMENTS, ["no_such.json"], "--scene", "no_such.json", DATA, self.png)
