@@ -16,29 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkOverlappingAMR
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderer, vtkVolume
 
 import exabricks
-
-
-def bricks_of(amr, name=None):
-    """What the mapper makes of an array, or of the active scalars."""
-    mapper = exabricks.vtkExaBricksVolumeMapper()
-    mapper.SetInputData(amr)
-    if name:
-        mapper.SetScalarModeToUseCellFieldData()
-        mapper.SelectScalarArray(name)
-    mapper.Update()
-    return mapper.GetBuilder().GetOutput()
-
-
-def range_of(data):
-    value_range = [0.0, 0.0]
-    data.GetScalarRange(value_range)
-    return value_range
-
-
-def bounds_of(data):
-    bounds = [0.0] * 6
-    data.GetBounds(bounds)
-    return bounds
+from Bricks import bounds_of, bricks_of, range_of
 
 
 def cells_of(amr, level=0, index=0):

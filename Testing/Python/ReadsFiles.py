@@ -3,7 +3,6 @@
 
 import argparse
 import contextlib
-import gc
 import math
 import os
 import pathlib
@@ -17,6 +16,7 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkObject, vtkOutputWindow, vtkV
 from vtkmodules.vtkCommonDataModel import vtkOverlappingAMR
 
 import exabricks
+from Bricks import bricks_of, range_of
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Programs"))
 from AMRFiles import HDF5Writer, write_enzo, write_plotfile, write_vthb
@@ -25,21 +25,6 @@ arguments = argparse.ArgumentParser()
 arguments.add_argument("-D", dest="data")
 arguments, _ = arguments.parse_known_args()
 rings = pathlib.Path(arguments.data) / "rt_medium" / "rt_medium.vthb"
-
-
-def bricks_of(amr):
-    """What the mapper makes of the AMR's active scalars."""
-    gc.collect()  # the reader is gone, if anything holds on to it
-    mapper = exabricks.vtkExaBricksVolumeMapper()
-    mapper.SetInputData(amr)
-    mapper.Update()
-    return mapper.GetBuilder().GetOutput()
-
-
-def range_of(data):
-    value_range = [0.0, 0.0]
-    data.GetScalarRange(value_range)
-    return value_range
 
 
 def arrays_of(amr):

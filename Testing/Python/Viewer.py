@@ -100,11 +100,12 @@ names.append(scene.array)
 press("n")
 assert scene.array == names[0] and set(names) == {"density", "magvort"}, names
 assert not scene.log
+read_once = scene.amr
 press("g")
 assert scene.log and "log10(magvort)" in viewer.bar.GetTitle()
 assert scene.color_range[1] < 1.5, scene.color_range
 press("g")
-assert not scene.log
+assert not scene.log and scene.amr is read_once
 press("m")
 assert scene.color_map == "plasma"
 assert scene.volume_property.GetRGBTransferFunction().GetRange() == scene.color_range
@@ -113,6 +114,12 @@ for mode in ("maximum", "minimum", "average", "additive", "isosurface", "composi
     assert scene.to_dict()["view"]["blend_mode"] == mode
     if mode in ("maximum", "isosurface", "composite"):  # others are dim where little is opaque
         assert drawn(volume_part()) > 0.01, mode
+# A blend mode that the viewer does not offer, which the mapper may have: the next is the first one.
+scene.mapper.SetBlendModeToSlice()
+scene.volume_property.SetSliceFunction(viewer.plane)
+viewer.render()
+press("b")
+assert scene.blend_mode == "composite", viewer.said
 press("r")
 viewer.render()
 press("v")
@@ -215,7 +222,6 @@ assert scene.opacity == moved and moved != opacity
 viewer.files.append("no-such-file.vthb")
 before = scene.to_dict()
 viewer.go_to(0)
-interactor.SetKeySym("Right")
 press("Right")
 press("Right")
 assert viewer.step == 1 and "no-such-file" in viewer.said and scene.to_dict() == before, viewer.said

@@ -15,6 +15,7 @@ except ImportError as error:
     sys.exit(125)
 
 import exabricks
+from Bricks import bounds_of, bricks_of, range_of
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Programs"))
 from AMRFiles import write_enzo, write_plotfile
@@ -22,19 +23,9 @@ from AMRFiles import write_enzo, write_plotfile
 yt.set_log_level("error")
 
 
-def bricks_of(amr):
-    """What the mapper makes of the AMR's active scalars."""
-    mapper = exabricks.vtkExaBricksVolumeMapper()
-    mapper.SetInputData(amr)
-    mapper.Update()
-    return mapper.GetBuilder().GetOutput()
-
-
 def figures_of(data):
-    value_range, bounds = [0.0, 0.0], [0.0] * 6
-    data.GetScalarRange(value_range)
-    data.GetBounds(bounds)
-    return [data.GetNumberOfBlocks(), data.GetNumberOfLevels(), data.GetNumberOfLeafCells(), *value_range, *bounds]
+    numbers = [data.GetNumberOfBlocks(), data.GetNumberOfLevels(), data.GetNumberOfLeafCells()]
+    return [*numbers, *range_of(data), *bounds_of(data)]
 
 
 def grid(level, left, right, cells, values):

@@ -73,8 +73,13 @@ def list_arrays(path: Path) -> Dict[str, ArrayInfo]:
 
     path: as for read(). Raises ReadError if it cannot be read.
     """
+    return arrays_of(_AMRFile(path).read(1))
+
+
+def arrays_of(amr: vtkOverlappingAMR) -> Dict[str, ArrayInfo]:
+    """Cell arrays of the blocks that are there, by name, with ranges over all of these."""
     found: Dict[str, ArrayInfo] = {}
-    for block in _blocks(_AMRFile(path).read(1)):
+    for block in _blocks(amr):
         cells = block.GetCellData()
         for i in range(cells.GetNumberOfArrays()):
             array = cells.GetArray(i)

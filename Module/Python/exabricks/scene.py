@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .display import ensure_drawing
-from .reading import list_arrays, read
+from .reading import arrays_of, list_arrays, read
 from .vtkRenderingVolumeExaBricks import vtkExaBricksFirstPicture, vtkExaBricksVolumeMapper
 
 RECONSTRUCTIONS = ("basis", "nearest", "completed")
@@ -126,10 +126,16 @@ class VolumeScene:
     def _load(self, path, array, component):
         """What is drawn of a file, or of the data in memory: (path, arrays, AMR, array, component)."""
         if path is None:
-            arrays = _arrays_of(self._own_amr)
+            # Logarithms are added to what is drawn, and are none of the data.
+            infos = {name: info for name, info in arrays_of(self._own_amr).items() if not name.startswith("log10(")}
         else:
-            arrays = {name: (info.components, _varies(info.ranges)) for name, info in list_arrays(path).items()}
+            infos = list_arrays(path)
+        arrays = {name: (info.components, _varies(info.ranges)) for name, info in infos.items()}
         array, component = _choose_array(arrays, array, component)
+        return path, arrays, self._read(path, arrays, array), array, component
+
+    def _read(self, path, arrays, array):
+        """The AMR with the array, and without cells that the volume fractions beside it call covered."""
         if path is None:
             amr = self._own_amr
         else:
@@ -137,14 +143,20 @@ class VolumeScene:
             amr = read(path, self.levels, [array, *(name for name in fractions if name != array)])
         if not vtkExaBricksFirstPicture.IsVolumeFraction(array):
             vtkExaBricksFirstPicture.HideCoveredCells(amr)
-        return path, arrays, amr, array, component
+        return amr
 
     def _take(self, loaded):
         self.path, self.arrays, self.amr, self.array, self.component = loaded
 
     def set_array(self, array, log=None, component=None):
         """Draws another array of the file or data, with colors and opacities chosen anew. The camera stays."""
-        self._take(self._load(self.path, array, component))
+        if self.path is None:
+            self._take(self._load(None, array, component))
+        else:
+            # A file is listed once, and read once for each array.
+            array, component = _choose_array(self.arrays, array, component)
+            amr = self.amr if array == self.array else self._read(self.path, self.arrays, array)
+            self._take((self.path, self.arrays, amr, array, component))
         self._draw_array(log)
 
     def set_source(self, path):
@@ -233,6 +245,11 @@ class VolumeScene:
         self.volume_property.SetColor(colors)
 
     @property
+    def blend_mode(self):
+        """A name in BLEND_MODES; None where the mapper has another one, as for slices."""
+        return next((name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode()), None)
+
+    @property
     def color_range(self):
         """The values at the ends of the color map, of the array or its logarithm."""
         return tuple(self.volume_property.GetRGBTransferFunction().GetRange())
@@ -291,11 +308,16 @@ class VolumeScene:
     # As a file
 
     def to_dict(self):
-        """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data."""
+        """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data.
+
+        Of the mapper: reconstruction, steps, error tolerance, blend mode, levels, clipping planes, and cropping planes; of
+        the property: colors, opacities, their unit distance, iso-values, and whether it is shaded. Their other settings
+        are not kept.
+        """
         camera = self.camera
         planes = _items(self.mapper.GetClippingPlanes())
         contours = self.volume_property.GetIsoSurfaceValues()
-        mode = next((name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode()), None)
+        mode = self.blend_mode
         if mode is None:
             raise ValueError(f"expected a blend mode of {', '.join(BLEND_MODES)} to keep in a scene, found another one")
         return {
@@ -468,31 +490,3 @@ def _choose_array(arrays, array, component):
 
 def _varies(ranges):
     return any(high - low > 1e-6 * max(abs(low), abs(high)) for low, high in ranges if low <= high)
-
-
-def _arrays_of(amr):
-    """Cell arrays of the first block that is there: how many components each has, and whether it varies in any block."""
-    found = {}
-    blocks = amr.NewIterator()
-    blocks.InitTraversal()
-    first = True
-    while not blocks.IsDoneWithTraversal():
-        cells = blocks.GetCurrentDataObject().GetCellData()
-        for i in range(cells.GetNumberOfArrays()):
-            array = cells.GetArray(i)
-            # Without a name it cannot be asked for; logarithms are added to what is drawn.
-            if array is None or not array.GetName() or array.GetName() == "vtkGhostType" \
-                    or array.GetName().startswith("log10("):
-                continue
-            components = array.GetNumberOfComponents()
-            ranges = [array.GetFiniteRange(k) for k in range(components)]
-            if first or array.GetName() in found:
-                known = found.get(array.GetName(), (components, []))[1]
-                found[array.GetName()] = (components, known + ranges)
-        first = False
-        blocks.GoToNextItem()
-    result = {}
-    for name, (components, ranges) in found.items():
-        lows, highs = zip(*ranges)
-        result[name] = (components, _varies([(min(lows), max(highs))]))
-    return result

@@ -269,7 +269,7 @@ class Viewer:
         """Draws, with the line of what is shown."""
         mapper = self.scene.mapper
         step = f", step {self.step + 1} of {len(self.files)}" if len(self.files) > 1 else ""
-        blend = next(name for name, mode in BLEND_MODES.items() if mode == mapper.GetBlendMode())
+        blend = self.scene.blend_mode or "another blend mode"
         self.status.SetInput(
             f"{self._title()}{step}, {blend}, step scale {mapper.GetStepScale():g}"
             + (f", levels 0 to {mapper.GetLevelRange()[1]}" if mapper.GetLevelRange()[1] < 1000 else "")
@@ -286,9 +286,7 @@ class Viewer:
         self.render()
 
     def _key_n(self):
-        names = list(self.scene.arrays)
-        here = names.index(self.scene.array) if self.scene.array in names else -1
-        self.scene.set_array(names[(here + 1) % len(names)])
+        self.scene.set_array(_after(self.scene.array, self.scene.arrays))
         self._follow_data()
         self.say("")
 
@@ -304,15 +302,12 @@ class Viewer:
         self.say("")
 
     def _key_m(self):
-        names = color_map_names()
-        here = names.index(self.scene.color_map) if self.scene.color_map in names else -1
-        self.scene.set_color_map(names[(here + 1) % len(names)])
+        self.scene.set_color_map(_after(self.scene.color_map, color_map_names()))
         self._follow_colors()
         self.say(self.scene.color_map)
 
     def _key_b(self):
-        modes = list(BLEND_MODES.values())
-        mode = modes[(modes.index(self.scene.mapper.GetBlendMode()) + 1) % len(modes)]
+        mode = BLEND_MODES[_after(self.scene.blend_mode, BLEND_MODES)]
         if mode == vtkExaBricksVolumeMapper.ISOSURFACE_BLEND and not self.scene.iso_values:
             low, high = self.scene.color_range
             self.scene.set_iso_values([0.5 * (low + high)])
@@ -452,6 +447,12 @@ def _take_keys_from(style):
     """Keys are the viewer's: a style that is observed does nothing of its own."""
     for event in ("CharEvent", "KeyPressEvent", "KeyReleaseEvent"):
         style.AddObserver(event, lambda *_: None)
+
+
+def _after(name, names):
+    """The next one in turn; the first after a name that is none of them."""
+    names = list(names)
+    return names[(names.index(name) + 1) % len(names)] if name in names else names[0]
 
 
 def _free_name(stem, ending):
