@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -19,6 +20,46 @@ vtkStandardNewMacro(vtkExaBricksData);
 
 namespace
 {
+// Whether a histogram can be put into the array, which is 0 for each bin then.
+bool prepareBins(vtkExaBricksData* self, int bins, vtkDataArray* array)
+{
+  if (bins < 1 || !array)
+  {
+    vtkErrorWithObjectMacro(
+      self, "Expected at least one bin and an array to put the numbers into.");
+    return false;
+  }
+  array->SetNumberOfComponents(1);
+  array->SetNumberOfTuples(bins);
+  array->Fill(0.0);
+  return true;
+}
+
+// Calls f(bin, volume in finest cells) for each leaf cell with a value.
+template <typename F>
+void forEachBin(const exabricks::BrickedVolume* bricked, int bins, const F& f)
+{
+  if (!bricked)
+  {
+    return;
+  }
+  const exabricks::Structure& structure = *bricked->volume.structure;
+  const exabricks::Values& values = *bricked->volume.values;
+  for (std::size_t brick = 0; brick < structure.bricks.size(); ++brick)
+  {
+    const auto width = static_cast<double>(structure.width(structure.bricks[brick]));
+    for (auto i = values.firstValue[brick]; i < values.firstValue[brick + 1]; ++i)
+    {
+      const float value = values.normalized[i];
+      if (value >= 0.0f)
+      {
+        const auto bin = static_cast<std::int64_t>(static_cast<double>(value) * bins);
+        f(static_cast<std::size_t>(std::min<std::int64_t>(bin, bins - 1)), width * width * width);
+      }
+    }
+  }
+}
+
 // Writes boxes as voxels, with eight points each.
 class VoxelWriter
 {
@@ -201,62 +242,28 @@ double vtkExaBricksData::GetScalarsTime()
 
 void vtkExaBricksData::GetHistogram(int bins, vtkIdTypeArray* counts)
 {
-  if (bins < 1 || !counts)
-  {
-    vtkErrorMacro("Expected at least one bin and an array to put the counts into.");
-    return;
-  }
-  counts->SetNumberOfComponents(1);
-  counts->SetNumberOfTuples(bins);
-  counts->FillValue(0);
-  if (!this->Bricked)
+  if (!prepareBins(this, bins, counts))
   {
     return;
   }
-  vtkIdType* count = counts->GetPointer(0);
-  for (const float value : this->Bricked->volume.values->normalized)
-  {
-    if (value >= 0.0f)
-    {
-      const auto bin = static_cast<std::int64_t>(static_cast<double>(value) * bins);
-      ++count[std::min<std::int64_t>(bin, bins - 1)];
-    }
-  }
+  vtkIdType* const count = counts->GetPointer(0);
+  forEachBin(this->Bricked.get(), bins, [&](std::size_t bin, double) { ++count[bin]; });
 }
 
 void vtkExaBricksData::GetVolumeHistogram(int bins, vtkDoubleArray* shares)
 {
-  if (bins < 1 || !shares)
-  {
-    vtkErrorMacro("Expected at least one bin and an array to put the shares into.");
-    return;
-  }
-  shares->SetNumberOfComponents(1);
-  shares->SetNumberOfTuples(bins);
-  shares->FillValue(0.0);
-  if (!this->Bricked)
+  if (!prepareBins(this, bins, shares))
   {
     return;
   }
-  const exabricks::Structure& structure = *this->Bricked->volume.structure;
-  const exabricks::Values& values = *this->Bricked->volume.values;
   double* const share = shares->GetPointer(0);
   double total = 0.0;
-  for (std::size_t brick = 0; brick < structure.bricks.size(); ++brick)
-  {
-    const auto width = static_cast<double>(structure.width(structure.bricks[brick]));
-    const double volume = width * width * width;
-    for (auto i = values.firstValue[brick]; i < values.firstValue[brick + 1]; ++i)
+  forEachBin(this->Bricked.get(), bins,
+    [&](std::size_t bin, double volume)
     {
-      const float value = values.normalized[i];
-      if (value >= 0.0f)
-      {
-        const auto bin = static_cast<std::int64_t>(static_cast<double>(value) * bins);
-        share[std::min<std::int64_t>(bin, bins - 1)] += volume;
-        total += volume;
-      }
-    }
-  }
+      share[bin] += volume;
+      total += volume;
+    });
   for (int bin = 0; bin < bins && total > 0.0; ++bin)
   {
     share[bin] /= total;

@@ -6,6 +6,7 @@
 #include "Adapters/CoveredCells.h"
 #include "Adapters/Logarithm.h"
 #include "Core/FirstPicture.h"
+#include "Core/LowerCase.h"
 #include "vtkExaBricksData.h"
 
 #include "vtkCamera.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 vtkStandardNewMacro(vtkExaBricksFirstPicture);
@@ -104,11 +104,9 @@ void vtkExaBricksFirstPicture::FillColorMap(
 
 int vtkExaBricksFirstPicture::GetArrayPreference(const std::string& array)
 {
-  std::string name = array;
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::array<std::string, 5> known{ "density", "dens", "rho", "temperature", "temp" };
-  return static_cast<int>(known.end() - std::find(known.begin(), known.end(), name));
+  return static_cast<int>(
+    known.end() - std::find(known.begin(), known.end(), exabricks::lowerCase(array)));
 }
 
 bool vtkExaBricksFirstPicture::IsVolumeFraction(const std::string& array)

@@ -3,6 +3,7 @@
 
 #include "Adapters/SceneOutput.h"
 #include "Adapters/UnfinishedRun.h"
+#include "Core/LowerCase.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -12,8 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkVolumeProperty.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <new>
 #include <string>
@@ -26,16 +25,6 @@ using exabricks::StandInKind;
 static_assert(vtkExaBricksSceneSource::EXAJET_WING + 1 == exabricks::StandInKinds &&
     vtkExaBricksSceneSource::GEAR == static_cast<int>(StandInKind::Gear),
   "scenes have the numbers of the stand-ins");
-
-namespace
-{
-std::string lowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
-}
 
 struct vtkExaBricksSceneSource::vtkInternals
 {
@@ -59,12 +48,12 @@ vtkMTimeType vtkExaBricksSceneSource::GetMTime()
 
 void vtkExaBricksSceneSource::SetSceneName(const char* name)
 {
-  const std::string requested = lowerCase(name ? name : "");
+  const std::string requested = exabricks::lowerCase(name ? name : "");
   std::string names;
   for (int scene = 0; scene < exabricks::StandInKinds; ++scene)
   {
     const char* known = exabricks::describe(static_cast<StandInKind>(scene)).name;
-    if (lowerCase(known) == requested)
+    if (exabricks::lowerCase(known) == requested)
     {
       this->SetScene(scene);
       return;

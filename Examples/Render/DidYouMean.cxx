@@ -2,8 +2,9 @@
 
 #include "DidYouMean.h"
 
+#include "ParseValues.h"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 namespace render
@@ -11,13 +12,6 @@ namespace render
 
 namespace
 {
-
-std::string lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 // How many letters have to be put in, taken out or changed (Levenshtein).
 std::size_t distance(const std::string& a, const std::string& b)
@@ -46,7 +40,7 @@ std::string didYouMean(const std::string& name, const std::vector<std::string>& 
   std::size_t least = std::max<std::size_t>(name.size() / 3, 1) + 1;
   for (const std::string& other : known)
   {
-    const std::size_t letters = distance(lower(name), lower(other));
+    const std::size_t letters = distance(lowerCase(name), lowerCase(other));
     if (letters < least)
     {
       least = letters;

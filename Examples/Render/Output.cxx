@@ -4,6 +4,7 @@
 
 #include "Destination.h"
 #include "Messages.h"
+#include "ParseValues.h"
 
 #include "vtkImageData.h"
 #include "vtkJPEGWriter.h"
@@ -11,8 +12,6 @@
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -187,9 +186,7 @@ void writeText(const std::string& path, const std::string& text)
 
 std::string pictureEnding(const std::string& path)
 {
-  std::string ending = fs::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowerCase(fs::path(path).extension().string());
   return ending == ".jpeg" ? ".jpg" : ending;
 }
 

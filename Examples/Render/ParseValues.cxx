@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -57,6 +58,13 @@ bool parseNumber(const std::string& text, double& value)
   stream.imbue(std::locale::classic());
   char rest;
   return (stream >> value) && std::isfinite(value) && !(stream >> rest);
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
 }
 
 std::array<int, 2> parseSize(const std::string& option, const std::string& text)

@@ -13,6 +13,8 @@ namespace render
 /// The same in every locale; false for "inf", "nan", and where something is left over.
 bool parseNumber(const std::string& text, double& value);
 
+std::string lowerCase(std::string text);
+
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
 Vector3 parseVector(const std::string& option, const std::string& text);
 Vector3 parseColor(const std::string& option, const std::string& text);

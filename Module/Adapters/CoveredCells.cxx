@@ -2,23 +2,18 @@
 #include "Adapters/CoveredCells.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Core/LowerCase.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cctype>
-#include <string>
-
 namespace exabricks
 {
 bool isVolumeFraction(const char* array)
 {
-  std::string name = array ? array : "";
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lowerCase(array ? array : "");
   return name == "vfrac" || name == "volfrac" || name == "vol_frac";
 }
 

@@ -122,7 +122,6 @@ float difference(const glm::vec4& a, const glm::vec4& b)
 std::string searchOpacity(
   VolumeRenderer& renderer, View& view, double opacity, int halvings, std::vector<Search>& pixels)
 {
-  view.quality.terminationOpacity = opacity; // what is behind the place does not count
   std::vector<glm::vec4> picture;
   for (int halving = 0; halving < halvings; ++halving)
   {
@@ -176,6 +175,11 @@ std::string searchExtremum(
 std::vector<Search> search(
   VolumeRenderer& renderer, View& view, double opacity, int halvings, std::string& fault)
 {
+  const bool isExtremum = view.blending == Blending::Maximum || view.blending == Blending::Minimum;
+  if (!isExtremum)
+  {
+    view.quality.terminationOpacity = opacity; // what is behind the place does not count
+  }
   std::vector<glm::vec4> picture;
   fault = renderer.render(view, picture);
   if (!fault.empty() || picture.empty())
@@ -189,7 +193,6 @@ std::vector<Search> search(
     pixels.back().whole = picture[i];
     pixels.back().seen = picture[i].a >= static_cast<float>(opacity);
   }
-  const bool isExtremum = view.blending == Blending::Maximum || view.blending == Blending::Minimum;
   fault = isExtremum ? searchExtremum(renderer, view, halvings, pixels)
                      : searchOpacity(renderer, view, opacity, halvings, pixels);
   return fault.empty() ? pixels : std::vector<Search>();

@@ -73,23 +73,19 @@ std::string SelectionPasses::color(vtkRenderer* ren, vtkOpenGLRenderWindow* wind
     {
       view.target.depth = depth.data();
     }
-    const auto numberInViewport = [&](std::size_t number)
-    {
-      const auto width = static_cast<std::size_t>(part.width);
-      const std::size_t x = number % width + static_cast<std::size_t>(part.x - viewport.x);
-      const std::size_t y = number / width + static_cast<std::size_t>(part.y - viewport.y);
-      return x + static_cast<std::size_t>(viewport.width) * y;
-    };
-    const std::string fault = ofProps
-      ? this->Select(view, renderer, numberInViewport)
-      : this->SelectCells(view, renderer, numberInViewport, amr, bricked);
+    const std::string fault =
+      ofProps ? this->Select(view, renderer) : this->SelectCells(view, renderer, amr, bricked);
     if (!fault.empty())
     {
       this->Selected.clear();
       return fault;
     }
-    for (const SelectedPixel& pixel : this->Selected)
+    const auto width = static_cast<std::size_t>(part.width);
+    for (SelectedPixel& pixel : this->Selected)
     {
+      const std::size_t x = pixel.number % width + static_cast<std::size_t>(part.x - viewport.x);
+      const std::size_t y = pixel.number / width + static_cast<std::size_t>(part.y - viewport.y);
+      pixel.number = x + static_cast<std::size_t>(viewport.width) * y;
       selector->UpdateMaximumCellId(pixel.cell.id);
     }
   }
@@ -123,8 +119,7 @@ std::string SelectionPasses::color(vtkRenderer* ren, vtkOpenGLRenderWindow* wind
   return {};
 }
 
-std::string SelectionPasses::Select(const View& view, VolumeRenderer& renderer,
-  const std::function<std::size_t(std::size_t)>& numberInViewport)
+std::string SelectionPasses::Select(const View& view, VolumeRenderer& renderer)
 {
   Pixels picture;
   const std::string fault = renderer.render(view, picture);
@@ -132,15 +127,14 @@ std::string SelectionPasses::Select(const View& view, VolumeRenderer& renderer,
   {
     if (picture[i].a > ShownOpacity)
     {
-      this->Selected.push_back({ numberInViewport(i), {} });
+      this->Selected.push_back({ i, {} });
     }
   }
   return fault;
 }
 
-std::string SelectionPasses::SelectCells(const View& view, VolumeRenderer& renderer,
-  const std::function<std::size_t(std::size_t)>& numberInViewport, vtkOverlappingAMR* amr,
-  const BrickedVolume& bricked)
+std::string SelectionPasses::SelectCells(
+  const View& view, VolumeRenderer& renderer, vtkOverlappingAMR* amr, const BrickedVolume& bricked)
 {
   const Structure& structure = *bricked.volume.structure;
   std::string fault;
@@ -154,7 +148,7 @@ std::string SelectionPasses::SelectCells(const View& view, VolumeRenderer& rende
     const CellOfBlock cell = leaf ? blocks.find(*leaf) : CellOfBlock();
     if (cell.id >= 0)
     {
-      this->Selected.push_back({ numberInViewport(i), cell });
+      this->Selected.push_back({ i, cell });
     }
   }
   return fault;

@@ -38,10 +38,9 @@ private:
     CellOfBlock cell;
   };
 
-  std::string Select(const View& view, VolumeRenderer& renderer,
-    const std::function<std::size_t(std::size_t)>& numberInViewport);
-  std::string SelectCells(const View& view, VolumeRenderer& renderer,
-    const std::function<std::size_t(std::size_t)>& numberInViewport, vtkOverlappingAMR* amr,
+  // Of the pixels of a view, whose numbers these are at first.
+  std::string Select(const View& view, VolumeRenderer& renderer);
+  std::string SelectCells(const View& view, VolumeRenderer& renderer, vtkOverlappingAMR* amr,
     const BrickedVolume& bricked);
 
   std::vector<SelectedPixel> Selected;

@@ -36,22 +36,15 @@ struct Mapping
   }
 };
 
-std::vector<std::uint64_t> makeHistogram(const Volume& volume, const Mapping& toPlace)
+std::vector<std::uint64_t> makeHistogram(const Values& values, const Mapping& toPlace)
 {
   std::vector<std::uint64_t> cells(HistogramBins, 0);
-  const Values& values = *volume.values;
-  const std::vector<Brick>& bricks = volume.structure->bricks;
-  for (std::size_t brick = 0; brick < bricks.size(); ++brick)
+  for (const float value : values.normalized)
   {
-    const float* const first = values.ofBrick(brick);
-    const auto count = static_cast<std::size_t>(bricks[brick].numberOfCells());
-    for (std::size_t i = 0; i < count; ++i)
+    if (value >= 0.0f)
     {
-      if (first[i] >= 0.0f)
-      {
-        const int bin = static_cast<int>(toPlace(first[i]) * HistogramBins);
-        ++cells[static_cast<std::size_t>(std::min(bin, HistogramBins - 1))];
-      }
+      const int bin = static_cast<int>(toPlace(value) * HistogramBins);
+      ++cells[static_cast<std::size_t>(std::min(bin, HistogramBins - 1))];
     }
   }
   return cells;
@@ -219,7 +212,7 @@ FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing,
     toPlace.from = 1.0 - MostDecades / size;
     picture.colors.min = picture.colors.max - MostDecades;
   }
-  const Interest interest = chooseInterest(makeHistogram(volume, toPlace), !logarithmic);
+  const Interest interest = chooseInterest(makeHistogram(*volume.values, toPlace), !logarithmic);
   picture.hi = glm::dvec3(volume.structure->tree.size);
   if (!toPlace.constant)
   {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/Device.h"
 
+#include "Core/LowerCase.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -127,13 +128,6 @@ int preference(vk::PhysicalDeviceType type)
     default:
       return 0;
   }
-}
-
-std::string lowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 // Device name, and the driver's, since users know "lavapipe" and "llvmpipe" as names too.

@@ -3,14 +3,18 @@
 #ifndef ExaBricksTestingStage_h
 #define ExaBricksTestingStage_h
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCubeSource.h"
 #include "vtkExaBricksVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -194,6 +198,20 @@ struct KeepDisplay
     this->window->Render();
   }
 };
+
+/// Adds a solid box.
+inline vtkSmartPointer<vtkActor> addBox(
+  vtkRenderer* renderer, double x0, double x1, double y0, double y1, double z0, double z1)
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(x0, x1, y0, y1, z0, z1);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(box->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  return actor;
+}
 
 /// Looks along -z, in parallel projection, at a square of `width` around (x, y, z).
 inline void lookAlongZ(vtkRenderer* renderer, double x, double y, double z, double width)

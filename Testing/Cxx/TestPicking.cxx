@@ -6,18 +6,15 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkContourValues.h"
-#include "vtkCubeSource.h"
 #include "vtkExaBricksPicker.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkPlane.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkRenderedAreaPicker.h"
@@ -113,13 +110,7 @@ int TestPicking(int, char*[])
   scene.mapper->AddClippingPlane(plane);
   scene.PicksAt(6.1, 6.1, 5.0 - way, "below a clipping plane");
   scene.mapper->RemoveAllClippingPlanes();
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(5.0, 9.0, -1.0, 9.0, 8.5, 9.0);
-  vtkNew<vtkPolyDataMapper> cubeMapper;
-  cubeMapper->SetInputConnection(cube->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(cubeMapper);
-  scene.renderer->AddActor(actor);
+  const auto actor = test::addBox(scene.renderer, 5.0, 9.0, -1.0, 9.0, 8.5, 9.0);
   scene.renderer->ResetCameraClippingRange();
   checks.Expect(!scene.Pick(6.1, 6.1), "behind geometry");
   scene.PicksAt(1.3, 2.7, 8.0 - way, "beside geometry");

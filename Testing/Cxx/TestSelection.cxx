@@ -6,16 +6,13 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
 #include "vtkContourValues.h"
-#include "vtkCubeSource.h"
 #include "vtkExaBricksPicker.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkPlane.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -132,13 +129,7 @@ int TestSelection(int, char*[])
   scene.mapper->AddClippingPlane(plane);
   scene.IsAsPicked(checks, "clipped");
   scene.mapper->RemoveAllClippingPlanes();
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(-1.0, 4.0, -1.0, 3.0, -1.5, -1.0);
-  vtkNew<vtkPolyDataMapper> cubeMapper;
-  cubeMapper->SetInputConnection(cube->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(cubeMapper);
-  scene.renderer->AddActor(actor);
+  const auto actor = test::addBox(scene.renderer, -1.0, 4.0, -1.0, 3.0, -1.5, -1.0);
   scene.renderer->ResetCameraClippingRange();
   checks.Expect(scene.IsAsPicked(checks, "beside geometry") < all, "some is hidden");
   scene.renderer->RemoveActor(actor);

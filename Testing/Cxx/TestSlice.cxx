@@ -6,10 +6,7 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
-#include "vtkCubeSource.h"
 #include "vtkPlane.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphere.h"
 #include "vtkTransform.h"
@@ -94,15 +91,9 @@ int TestSlice(int, char*[])
 
   // What hides or cuts it. In one half a cube before it, in the other one behind it.
   const test::Picture whole(stage.window);
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(0.0, 4.0, 0.0, 8.0, 6.0, 7.0);
-  vtkNew<vtkPolyDataMapper> cubeMapper;
-  cubeMapper->SetInputConnection(cube->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(cubeMapper);
+  const auto actor = test::addBox(stage.renderer, 0.0, 4.0, 0.0, 8.0, 6.0, 7.0);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
-  stage.renderer->AddActor(actor);
   const test::Picture hidden(stage.window);
   checks.Near(hidden.At(20, 40)[1], 0.0, test::OneStep, "hidden by geometry");
   checks.Near(hidden.At(60, 40)[1], whole.At(60, 40)[1], test::OneStep, "beside geometry");

@@ -7,13 +7,10 @@
 #include "Checks.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
-#include "vtkCubeSource.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
 
@@ -26,7 +23,7 @@ struct Cubes
 {
   test::Stage stage{ test::makeAMR(test::cornerRefined(), test::constant(1.0)), 150 };
   vtkNew<vtkFixedPointVolumeRayCastMapper> peer;
-  vtkNew<vtkActor> solid;
+  vtkSmartPointer<vtkActor> solid{ test::addBox(stage.renderer, 0.0, 8.0, 0.0, 8.0, 0.0, 8.0) };
 
   Cubes()
   {
@@ -37,14 +34,8 @@ struct Cubes
     image->GetPointData()->GetScalars()->Fill(1.0);
     image->GetPointData()->GetScalars()->SetComponent(0, 0, 0.0); // VTK's mappers want a range
     this->peer->SetInputData(image);
-    vtkNew<vtkCubeSource> cube;
-    cube->SetBounds(0.0, 8.0, 0.0, 8.0, 0.0, 8.0);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(cube->GetOutputPort());
-    this->solid->SetMapper(mapper);
     this->solid->GetProperty()->LightingOff();
     this->solid->VisibilityOff();
-    this->stage.renderer->AddActor(this->solid);
     vtkCamera* camera = this->stage.renderer->GetActiveCamera();
     camera->SetPosition(20.0, 15.0, 26.0);
     camera->SetFocalPoint(4.0, 4.0, 4.0);
