@@ -182,6 +182,11 @@ int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
   return this->Internals->Renderer.statistics().levelsLeftOut;
 }
 
+vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays()
+{
+  return static_cast<vtkIdType>(this->Internals->Renderer.statistics().rays);
+}
+
 double* vtkExaBricksVolumeMapper::GetBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
@@ -349,5 +354,6 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TraversalUsed: " << this->GetTraversalUsed() << "\n";
   os << indent << "NumberOfActiveRegions: " << this->GetNumberOfActiveRegions() << "\n";
   os << indent << "LevelsLeftOut: " << this->GetLevelsLeftOut() << "\n";
+  os << indent << "NumberOfRays: " << this->GetNumberOfRays() << "\n";
   os << indent << "DeviceMemory: " << this->GetDeviceMemory() << " bytes\n";
 }

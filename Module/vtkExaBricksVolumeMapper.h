@@ -186,7 +186,12 @@ public:
    * its pixels, longer ones where the transfer function hardly varies over a region's values and
    * behind what is nearly opaque, and neither StepScale, SampleDistance nor EarlyTerminationOpacity
    * count. Finest levels that the picture hardly needs, as their cells are smaller than pixels or
-   * vary little, are left out: the next one's cells take the mean of theirs. For that the device
+   * vary little, are left out: the next one's cells take the mean of theirs. Rays go through every
+   * fourth pixel along each axis first, and through others where the picture is not as these
+   * predict it (Levoy, "Volume rendering by adaptive refinement", The Visual Computer 1990), by as
+   * much as half of the squared error allows; that is measured on some pixels drawn to check it.
+   * Parts of a picture (tiles, eyes, what lies between translucent geometry), jittered pictures and
+   * those of less than 40 000 pixels have a ray for each pixel. For the levels left out the device
    * holds the volume without them too, a quarter more memory where blocks are large, up to twice as
    * much in octrees of small ones. The choice depends on the view and its opaque geometry alone,
    * not on what was drawn before; the tiles of a large picture and the eyes of a stereo one have
@@ -374,6 +379,10 @@ public:
 
   /// How many of the finest levels the last picture did without, for the ErrorTolerance.
   int GetLevelsLeftOut();
+
+  /// How many pixels of the last picture had a ray of their own: all, or with an ErrorTolerance
+  /// those that were not predicted from others.
+  vtkIdType GetNumberOfRays();
 
   double* GetBounds() override;
   void GetBounds(double bounds[6]) override { this->vtkVolumeMapper::GetBounds(bounds); }

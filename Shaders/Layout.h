@@ -258,13 +258,43 @@ struct Frame
   vec4 undefined; // extinction of cells whose value is undefined, times red, green, blue, 1
 };
 
-// What one dispatch marches: some rows of a picture.
+// What one dispatch marches: some rows of a picture, or of the grid of every so manieth of its
+// pixels along each axis; or some pixels of a list.
 struct Band
 {
   DeviceAddress frame; // device address of the Frame
   DeviceAddress
     counter; // of a uint: the next pixel, in the order of tiles, where they are taken by it
-  uint firstRow;
+  DeviceAddress pixels; // of the list: uint[], x + width * y
+  uint firstRow;        // of the grid; of a list: its first pixel
+  uint spacing;         // of the grid, pixels; 0: a list
+  uint count;           // of the list's pixels that are marched
+};
+
+// What is done to predict the pixels of a grid from those at its even places (Prediction.glsl).
+struct Refinement
+{
+  DeviceAddress picture; // vec4[height][width]
+  DeviceAddress depth;   // float[height][width], if hasDepth is not 0
+  DeviceAddress pixels;  // uint[]: list of those that are checked, or that are to be marched
+  DeviceAddress results; // RayCheck[], of each checked one; or a uint, how many are to be marched
+  uint width;            // pixels
+  uint height;
+  uint spacing; // of the grid, pixels
+  uint side;    // of the blocks in which one place each is checked (CheckedPixels.h)
+  uint checks;  // number of pixels that are checked
+  uint hasDepth;
+  float greatestBend; // of window depths
+  float threshold;    // predictions stand whose estimate is below; at most UNPREDICTABLE
+};
+EXABRICKS_CONST float UNPREDICTABLE = 1e30f; // estimate of what must not stand
+
+// How well a pixel that has been marched would have been predicted.
+struct RayCheck
+{
+  float estimate; // of the prediction's error
+  float squares;  // its error, summed over the channels
+  uint drawn;     // not 0: the pixel is, see DRAWN_OPACITY
 };
 
 // How much two pictures differ: what one dispatch of Difference.comp finds out.

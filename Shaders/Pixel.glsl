@@ -14,16 +14,29 @@ vec4 marchPixel(FrameBuffer f, uvec2 pixel)
 #endif
 }
 
-// The pixel of this invocation, of the rows that are marched. Tiles of 8 x 8 pixels come row by row.
+// The pixel of this invocation, of the rows or of the list that is marched. Tiles of 8 x 8 pixels come
+// row by row. Beyond the picture: there is none.
 uvec2 findPixel(uint width)
 {
-  const uint columns = (width + 7u) / 8u; // of tiles
+  const uint spacing = max(push.band.spacing, 1u);
+  const uint gridWidth = (width + spacing - 1u) / spacing;
+  const uint columns = (gridWidth + 7u) / 8u; // of tiles
   const uint i = takesPixels
     ? atomicAdd(Counter(push.band.counter).next, 1u)
-    : gl_LocalInvocationIndex + 64u * (gl_WorkGroupID.x + columns * gl_WorkGroupID.y);
+    : gl_LocalInvocationIndex +
+      64u * (gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y);
+  if (push.band.spacing == 0u)
+  {
+    if (i >= push.band.count)
+    {
+      return uvec2(width);
+    }
+    const uint pixel = Indices(push.band.pixels).items[push.band.firstRow + i];
+    return uvec2(pixel % width, pixel / width);
+  }
   const uint tile = i / 64u;
   const uvec2 corner = 8u * uvec2(tile % columns, tile / columns);
-  return corner + uvec2(i % 8u, i / 8u % 8u) + uvec2(0u, push.band.firstRow);
+  return spacing * (corner + uvec2(i % 8u, i / 8u % 8u) + uvec2(0u, push.band.firstRow));
 }
 
 // Noise that is spread evenly among neighbours (interleaved gradient noise: Jimenez, "Next Generation

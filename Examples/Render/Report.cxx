@@ -249,6 +249,12 @@ void printReport(std::ostream& out, const Run& run)
     startLine(out, "Left out") << "finest levels, as the error tolerance allows: "
                                << mapper->GetLevelsLeftOut() << '\n';
   }
+  if (mapper->GetErrorTolerance() > 0.0)
+  {
+    startLine(out, "Rays") << mapper->GetNumberOfRays() << " of "
+                           << static_cast<vtkIdType>(run.Asked.Size[0]) * run.Asked.Size[1]
+                           << " pixels, as the error tolerance allows\n";
+  }
   const char* device = mapper->GetDeviceName();
   const char* traversal = mapper->GetTraversalUsed();
   startLine(out, "Device") << (device ? device : "unknown") << ", "
@@ -309,7 +315,7 @@ std::string statisticsJson(const Run& run)
     { "traversal", traversal ? traversal : "" }, { "reconstruction", run.Asked.Reconstruction },
     { "step_scale", mapper->GetStepScale() }, { "error_tolerance", mapper->GetErrorTolerance() },
     { "active_regions", mapper->GetNumberOfActiveRegions() },
-    { "levels_left_out", mapper->GetLevelsLeftOut() } };
+    { "levels_left_out", mapper->GetLevelsLeftOut() }, { "rays", mapper->GetNumberOfRays() } };
   json["view"] = viewJson(run);
   json["seconds"] = timesJson(run);
   json["bytes"] = { { "host", hostBytes(run.Result.Data()) },

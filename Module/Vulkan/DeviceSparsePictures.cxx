@@ -141,6 +141,7 @@ std::vector<std::optional<SparsePictures::Difference>> DeviceSparsePictures::com
         layout::Band band{};
         band.frame = this->Frames.address() + i * sizeof(layout::Frame);
         band.counter = this->Counters.address(i);
+        band.spacing = 1;
         this->Pass.record(commands, band, this->Width, this->Height);
       }
       const vk::MemoryBarrier drawn(Access::eShaderWrite, Access::eShaderRead);

@@ -4,6 +4,7 @@
 #include "Core/Stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace exabricks
@@ -12,7 +13,7 @@ namespace vulkan
 {
 namespace
 {
-// Rows may cost more than those before: from one piece to the next they grow by no more.
+// Pixels may cost more than those before: from one piece to the next they grow by no more.
 constexpr double GreatestGrowth = 4.0;
 }
 
@@ -23,12 +24,17 @@ PictureJob::PictureJob(std::shared_ptr<Device> device)
   this->Constants.reserve(this->Owner, sizeof(layout::Frame), "the frame's constants");
 }
 
-void PictureJob::begin(const layout::Frame& frame, const Target& target, const MarchPass& pass)
+void PictureJob::begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
+  double predictionTolerance)
 {
   this->Pass = pass;
   this->Width = static_cast<std::uint32_t>(target.width);
   this->Height = static_cast<std::uint32_t>(target.height);
+  this->Predicts = predictionTolerance > 0.0;
+  this->Next = Stage::Grid;
+  this->Spacing = this->Predicts ? FirstSpacing : 1;
   this->NextRow = 0;
+  this->Rays = 0;
   const vk::DeviceSize pixels = vk::DeviceSize(this->Width) * this->Height;
   this->Picture.reserve(this->Owner, pixels * sizeof(glm::vec4),
     Purpose::ofPicture("the picture", target.width, target.height));
@@ -49,61 +55,188 @@ void PictureJob::begin(const layout::Frame& frame, const Target& target, const M
   constants.nearDepth = this->HasNearDepth ? this->NearDepth.address() : 0;
   constants.picture = this->Picture.address();
   std::memcpy(this->Constants.data(), &constants, sizeof(constants));
+  if (this->Predicts)
+  {
+    if (!this->Refinement)
+    {
+      this->Refinement = std::make_unique<RayRefinement>(this->Owner);
+    }
+    this->Refinement->begin(constants, predictionTolerance);
+  }
 }
 
 bool PictureJob::march()
 {
-  if (this->NextRow >= this->Height)
+  switch (this->Next)
   {
-    return false;
+    case Stage::Grid:
+      this->MarchRows();
+      break;
+    case Stage::Check:
+      this->MarchChecks();
+      break;
+    case Stage::Predict:
+      this->PredictPixels();
+      break;
+    case Stage::List:
+      this->MarchList();
+      break;
+    case Stage::Fetch:
+      this->Fetch();
+      break;
+    case Stage::Done:
+      return false;
   }
-  const double wanted = PieceSeconds * this->PixelsPerSecond / (this->Width * TileSize);
-  const std::uint32_t tileRows = (this->Height - this->NextRow + TileSize - 1) / TileSize;
-  const std::uint32_t rows = std::min(this->Height - this->NextRow,
+  return true;
+}
+
+void PictureJob::MarchRows()
+{
+  const std::uint32_t columns = (this->Width + this->Spacing - 1) / this->Spacing;
+  const std::uint32_t allRows = (this->Height + this->Spacing - 1) / this->Spacing;
+  const double wanted = this->WantedPixels() / (columns * TileSize);
+  const std::uint32_t tileRows = (allRows - this->NextRow + TileSize - 1) / TileSize;
+  const std::uint32_t rows = std::min(allRows - this->NextRow,
     TileSize * static_cast<std::uint32_t>(std::clamp<double>(wanted, 1.0, tileRows)));
   const bool first = this->NextRow == 0;
-  const bool last = this->NextRow + rows == this->Height;
+  const bool last = this->NextRow + rows == allRows;
   layout::Band band{};
   band.frame = this->Constants.address();
   band.counter = this->Counters.address(0);
   band.firstRow = this->NextRow;
+  band.spacing = this->Spacing;
 
   const Stopwatch watch;
   this->Owner->submit(
     [&](const vk::raii::CommandBuffer& commands)
     {
-      const vk::DeviceSize pixels = vk::DeviceSize(this->Width) * this->Height;
       if (first)
       {
-        this->Constants.record(commands, sizeof(layout::Frame));
-        if (this->HasDepth)
-        {
-          this->Depth.record(commands, pixels * sizeof(float));
-        }
-        if (this->HasNearDepth)
-        {
-          this->NearDepth.record(commands, pixels * sizeof(float));
-        }
+        this->RecordInputs(commands);
       }
       if (this->Pass.takesPixels)
       {
         this->Counters.record(commands);
       }
-      this->Pass.record(commands, band, this->Width, rows);
-      if (last)
+      this->Pass.record(commands, band, columns, rows);
+      if (last && !this->Predicts)
       {
-        this->Picture.record(commands, pixels * sizeof(glm::vec4));
+        this->RecordPicture(commands);
       }
     });
-  const double rate = static_cast<double>(this->Width) * rows / std::max(watch.seconds(), 1e-6);
-  this->PixelsPerSecond = std::min(rate, GreatestGrowth * this->PixelsPerSecond);
+  this->Took(watch.seconds(), static_cast<double>(columns) * rows);
   this->NextRow += rows;
-  return true;
+  if (last)
+  {
+    this->Next = this->Predicts ? Stage::Check : Stage::Done;
+  }
+}
+
+void PictureJob::MarchChecks()
+{
+  this->Refinement->listChecks();
+  const std::uint32_t count = this->Refinement->listed();
+  const Stopwatch watch;
+  this->Owner->submit(
+    [&](const vk::raii::CommandBuffer& commands)
+    {
+      this->Refinement->recordList(commands);
+      this->RecordList(commands, 0, count);
+      this->Refinement->recordChecks(commands);
+    });
+  this->Took(watch.seconds(), count);
+  this->Refinement->takeChecks();
+  this->Next = Stage::Predict;
+}
+
+void PictureJob::PredictPixels()
+{
+  this->Owner->submit(
+    [&](const vk::raii::CommandBuffer& commands) { this->Refinement->recordPrediction(commands); });
+  this->Refinement->takeList();
+  this->NextOfList = 0;
+  this->Next = Stage::List;
+}
+
+void PictureJob::MarchList()
+{
+  const std::uint32_t left = this->Refinement->listed() - this->NextOfList;
+  const auto count =
+    static_cast<std::uint32_t>(std::clamp<double>(this->WantedPixels(), 64.0, 1e9));
+  if (left > 0)
+  {
+    const std::uint32_t taken = std::min(left, count);
+    const Stopwatch watch;
+    this->Owner->submit([&](const vk::raii::CommandBuffer& commands)
+      { this->RecordList(commands, this->NextOfList, taken); });
+    this->Took(watch.seconds(), taken);
+    this->NextOfList += taken;
+  }
+  if (this->NextOfList == this->Refinement->listed())
+  {
+    this->Next = this->Refinement->goOn() ? Stage::Check : Stage::Fetch;
+  }
+}
+
+void PictureJob::Fetch()
+{
+  this->Owner->submit(
+    [&](const vk::raii::CommandBuffer& commands) { this->RecordPicture(commands); });
+  this->Next = Stage::Done;
+}
+
+void PictureJob::RecordInputs(const vk::raii::CommandBuffer& commands) const
+{
+  const vk::DeviceSize pixels = vk::DeviceSize(this->Width) * this->Height;
+  this->Constants.record(commands, sizeof(layout::Frame));
+  if (this->HasDepth)
+  {
+    this->Depth.record(commands, pixels * sizeof(float));
+  }
+  if (this->HasNearDepth)
+  {
+    this->NearDepth.record(commands, pixels * sizeof(float));
+  }
+}
+
+void PictureJob::RecordPicture(const vk::raii::CommandBuffer& commands) const
+{
+  this->Picture.record(commands, vk::DeviceSize(this->Width) * this->Height * sizeof(glm::vec4));
+}
+
+void PictureJob::RecordList(
+  const vk::raii::CommandBuffer& commands, std::uint32_t first, std::uint32_t count) const
+{
+  layout::Band band{};
+  band.frame = this->Constants.address();
+  band.counter = this->Counters.address(0);
+  band.pixels = this->Refinement->list();
+  band.firstRow = first;
+  band.count = count;
+  if (this->Pass.takesPixels)
+  {
+    this->Counters.record(commands);
+  }
+  // Groups in a square, as a device may take less than 65536 of them along an axis.
+  const std::uint32_t groups = (count + TileSize * TileSize - 1) / (TileSize * TileSize);
+  const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(groups)));
+  this->Pass.record(
+    commands, band, columns * TileSize, (groups + columns - 1) / columns * TileSize);
+}
+
+void PictureJob::Took(double seconds, double pixels)
+{
+  const double rate = pixels / std::max(seconds, 1e-6);
+  this->PixelsPerSecond = std::min(rate, GreatestGrowth * this->PixelsPerSecond);
+  this->Rays += static_cast<std::size_t>(pixels);
 }
 
 double PictureJob::progress() const
 {
-  return this->Height > 0 ? static_cast<double>(this->NextRow) / this->Height : 1.0;
+  const double all = static_cast<double>(this->Width) * this->Height;
+  return this->Next == Stage::Done || !(all > 0.0)
+    ? 1.0
+    : std::min(static_cast<double>(this->Rays) / all, 1.0);
 }
 
 const glm::vec4* PictureJob::pixels() const

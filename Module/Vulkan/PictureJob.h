@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture as a job: begin, march some rows after others, finish. A job can be used for one
+// One picture as a job: begin, march some pixels after others, finish. A job can be used for one
 // picture after another, and keeps its buffers.
 #ifndef ExaBricksVulkanPictureJob_h
 #define ExaBricksVulkanPictureJob_h
 
 #include "Vulkan/Exchange.h"
 #include "Vulkan/MarchPass.h"
+#include "Vulkan/RayRefinement.h"
 
 namespace exabricks
 {
@@ -17,35 +18,68 @@ public:
   explicit PictureJob(std::shared_ptr<Device> device);
 
   /// `frame` comes with all that concerns volume, transfer function and view (fillView()). The
-  /// target's depths are read before it returns. Throws PictureFailure, where there is no memory
-  /// for a picture of that size.
-  void begin(const layout::Frame& frame, const Target& target, const MarchPass& pass);
+  /// target's depths are read before it returns. `predictionTolerance`: what pixels may err by that
+  /// are predicted from others (PredictedRays); 0: all are marched. Throws PictureFailure, where
+  /// there is no memory for a picture of that size.
+  void begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
+    double predictionTolerance = 0.0);
 
-  /// Marches the next rows, so many that it takes about PieceSeconds by what the last rows took: a
-  /// GPU that also drives a display must not be kept for long, and whoever waits may want to
-  /// interrupt. False: all rows are done.
+  /// Marches the next pixels, so many that it takes about PieceSeconds by what the last ones took:
+  /// a GPU that also drives a display must not be kept for long, and whoever waits may want to
+  /// interrupt. False: all are done.
   bool march();
-  /// Rows done, of all.
+  /// Pixels done, of all.
   double progress() const;
   static constexpr double PieceSeconds = 0.03;
 
-  /// The picture, [height][width], when all rows are done.
+  /// The picture, [height][width], when all pixels are done; and how many of them were marched.
   const glm::vec4* pixels() const;
+  std::size_t rays() const { return this->Rays; }
 
 private:
+  enum class Stage
+  {
+    Grid,    // rows of a grid of pixels; of all, where none are predicted
+    Check,   // pixels by which predictions are checked
+    Predict, // pixels between those that are known
+    List,    // those that could not be predicted
+    Fetch,   // the picture, where something was predicted
+    Done
+  };
+
+  void MarchRows();
+  void MarchChecks();
+  void PredictPixels();
+  void MarchList();
+  void Fetch();
+
+  double WantedPixels() const { return PieceSeconds * this->PixelsPerSecond; }
+  void RecordInputs(const vk::raii::CommandBuffer& commands) const;
+  void RecordPicture(const vk::raii::CommandBuffer& commands) const;
+  /// So many of the listed pixels, from the first one on.
+  void RecordList(
+    const vk::raii::CommandBuffer& commands, std::uint32_t first, std::uint32_t count) const;
+  void Took(double seconds, double pixels);
+
   std::shared_ptr<Device> Owner;
   Input Constants;
   Input Depth;
   Input NearDepth;
   Output Picture;
   PixelCounters Counters;
+  std::unique_ptr<RayRefinement> Refinement; // made when first needed
   MarchPass Pass;
   bool HasDepth = false;
   bool HasNearDepth = false;
+  bool Predicts = false;
   std::uint32_t Width = 0;
   std::uint32_t Height = 0;
-  std::uint32_t NextRow = 0;
-  double PixelsPerSecond = 2e6; // of the last rows, of this picture or the one before
+  Stage Next = Stage::Done;
+  std::uint32_t Spacing = 1; // of the grid that is marched by rows
+  std::uint32_t NextRow = 0; // of it
+  std::uint32_t NextOfList = 0;
+  std::size_t Rays = 0;
+  double PixelsPerSecond = 2e6; // of the last piece, of this picture or the one before
 };
 }
 }

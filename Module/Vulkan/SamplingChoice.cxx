@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/SamplingChoice.h"
 
+#include "Core/PredictedRays.h"
 #include "Core/Stopwatch.h"
 
 #include <cmath>
@@ -13,8 +14,8 @@ namespace
 {
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
 // show anything.
-constexpr double FewestPixels = 3000.0;
-constexpr double MostPixels = 64.0 * FewestPixels;
+constexpr double FewestPixels = 1500.0;
+constexpr double MostPixels = 200000.0;
 constexpr double StepScaleOfLittle = 0.25; // where no error can be told
 
 View wholeOf(View view)
@@ -84,7 +85,7 @@ std::optional<Sampling> SamplingChoice::FindFrom(
       }
       return makeFrame(sparse, sampling);
     });
-  return findSampling(view.quality.errorTolerance, this->Pictures);
+  return findSampling(toleranceOfSteps(view), this->Pictures);
 }
 }
 }

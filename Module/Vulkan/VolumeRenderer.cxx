@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/VolumeRenderer.h"
 
+#include "Core/PredictedRays.h"
 #include "Core/Stopwatch.h"
 #include "Vulkan/DeviceSession.h"
 #include "Vulkan/LevelsOfDetail.h"
@@ -294,6 +295,7 @@ struct VolumeRenderer::Internals
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
     {
       this->Measured.marchTime = 0.0;
+      this->Measured.rays = 0;
       this->ClearPicture(view, picture);
       return;
     }
@@ -347,6 +349,7 @@ struct VolumeRenderer::Internals
   void March(const vulkan::LevelsOfDetail::Level& level, const View& view,
     std::vector<glm::vec4>& picture, const Progress& progress)
   {
+    this->Measured.rays = 0;
     if (level.onDevice->activeBoxes() == 0)
     {
       this->ClearPicture(view, picture);
@@ -357,7 +360,8 @@ struct VolumeRenderer::Internals
       this->Job = std::make_unique<vulkan::PictureJob>(this->Session.device());
     }
     this->Job->begin(this->MakeFrame(level, view), view.target,
-      this->FindPass(view, view.target.nearDepth != nullptr));
+      this->FindPass(view, view.target.nearDepth != nullptr),
+      predictsRays(view) ? toleranceOfPredictions(view) : 0.0);
     while (this->Job->march())
     {
       if (progress && !progress(this->Job->progress()))
@@ -366,6 +370,7 @@ struct VolumeRenderer::Internals
         return;
       }
     }
+    this->Measured.rays = this->Job->rays();
     const glm::vec4* const pixels = this->Job->pixels();
     picture.assign(
       pixels, pixels + static_cast<std::size_t>(view.target.width) * view.target.height);

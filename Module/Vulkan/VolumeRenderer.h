@@ -73,6 +73,7 @@ public:
     std::uint64_t deviceBytes = 0;
     double stepScale = 1.0; // of the last picture
     int levelsLeftOut = 0;  // of the finest, in the last picture
+    std::size_t rays = 0;   // of its pixels, those that were marched and not predicted
     // seconds, of the last time each was done
     double uploadTime = 0.0;  // bricks, regions, values
     double colorTime = 0.0;   // transfer function tables

@@ -132,19 +132,26 @@ double DirectMethod::samples(const Size& size, double value)
   }
   std::vector<glm::vec4> counts;
   View view = this->viewOf(size, value);
+  std::size_t rays = 0;
   if (view.quality.errorTolerance > 0.0) // which the counts say nothing of
   {
     this->draw(view);
     view.quality.stepScale = this->statistics().stepScale;
     view.quality.levelsLeftOut = this->statistics().levelsLeftOut;
+    rays = this->statistics().rays;
   }
   check(this->Counter->render(view, counts));
   double sum = 0.0;
+  std::size_t busy = 0; // pixels that take any sample
   for (const glm::vec4& count : counts)
   {
     sum += count.r;
+    busy += count.r > 0.0f ? 1 : 0;
   }
-  return sum / static_cast<double>(counts.size());
+  // Where pixels are predicted, which ones is not known: as if all that are marched were busy ones.
+  const double part =
+    rays > 0 ? std::min(1.0, static_cast<double>(rays) / std::max<std::size_t>(busy, 1)) : 1.0;
+  return part * sum / static_cast<double>(counts.size());
 }
 
 DirectSettings toleranceSettings(std::optional<int> levelsLeftOut)

@@ -239,7 +239,7 @@ int TestMapperInterface(int, char*[])
     { "Reconstruction: Completed", "StepScale: 1000", "ErrorTolerance: 1", "Traversal: Automatic",
       "EarlyTerminationOpacity: 1", "VectorMode: Disabled", "VectorComponent: 0", "Device: (best)",
       "DeviceName: ", "TraversalUsed: ", "NumberOfActiveRegions: ", "LevelsLeftOut: 0",
-      "DeviceMemory: " },
+      "NumberOfRays: ", "DeviceMemory: " },
     "print of the mapper");
   checks.Says(print(mapper->GetBuilder()),
     { "VectorMode: Disabled", "VectorComponent: 0", "NumberOfStructureBuilds: 1" },
