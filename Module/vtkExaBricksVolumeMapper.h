@@ -135,7 +135,9 @@ public:
    * How far apart the rays of a picture are, in pixels along each of its axes, as of VTK's ray cast
    * mappers. Default 1: one for each pixel; of 2, one for each four, between which the picture is
    * filled in, but not across edges of opaque geometry. Where sample distances are adjusted it is
-   * chosen, from the least to the greatest one; beyond that, steps between samples grow too.
+   * chosen, from the least to the greatest one, in the mean: in windows of more than 10 000 pixels
+   * more of the rays are where the picture changes most. Beyond that, steps between samples grow
+   * too.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);

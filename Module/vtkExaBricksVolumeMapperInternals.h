@@ -77,7 +77,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   bool AdjustsSampleDistances(vtkRenderer* ren) const;
   void MeasurePasses();
   exabricks::Coarseness ChooseCoarseness(vtkRenderer* ren, vtkVolume* vol,
-    const exabricks::BrickedVolume& bricked, int width, int height);
+    const exabricks::BrickedVolume& bricked, bool joined, int width, int height);
   exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height) const;
 

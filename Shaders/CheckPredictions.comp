@@ -15,8 +15,17 @@ void main()
   }
   const uint pixel = Numbers(push.refinement.pixels).items[i];
   const uint width = push.refinement.width;
-  const Prediction prediction =
-    predict(ivec2(pixel % width, pixel / width) / int(push.refinement.spacing));
+  const ivec2 place = ivec2(pixel % width, pixel / width) / int(push.refinement.spacing);
+  const Quad quad = predictQuad(place & ~1);
+  Prediction prediction = quad.aslant;
+  if ((place.y & 1) == 0)
+  {
+    prediction = quad.right;
+  }
+  else if ((place.x & 1) == 0)
+  {
+    prediction = quad.above;
+  }
   const vec4 color = Pixels(push.refinement.picture).items[pixel];
   const vec4 off = color - prediction.color;
   Checks(push.refinement.results).items[i] = RayCheck(prediction.estimate, dot(off, off),

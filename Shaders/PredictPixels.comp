@@ -6,14 +6,12 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-void main()
+void put(Prediction prediction, ivec2 place)
 {
-  const ivec2 place = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(place, placesOfGrid())) || (place & 1) == ivec2(0) || isChecked(place))
+  if (any(greaterThanEqual(place, placesOfGrid())) || isChecked(place))
   {
     return;
   }
-  const Prediction prediction = predict(place);
   if (prediction.estimate < push.refinement.threshold)
   {
     Pixels(push.refinement.picture).items[pixelAt(place)] = prediction.color;
@@ -21,4 +19,17 @@ void main()
   }
   const uint at = atomicAdd(Numbers(push.refinement.results).items[0], 1u);
   Numbers(push.refinement.pixels).items[at] = pixelAt(place);
+}
+
+void main()
+{
+  const ivec2 corner = 2 * ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(corner, placesOfGrid())))
+  {
+    return;
+  }
+  const Quad quad = predictQuad(corner);
+  put(quad.right, corner + ivec2(1, 0));
+  put(quad.above, corner + ivec2(0, 1));
+  put(quad.aslant, corner + ivec2(1, 1));
 }

@@ -51,35 +51,50 @@ float estimate(vec4 a, vec4 b, vec4 c, vec4 d)
   return max(max(off.r, off.g), max(off.b, off.a));
 }
 
-Prediction predictAlong(ivec2 place, ivec2 axis)
+Prediction predictBetween(vec4 a, vec4 b, vec4 c, vec4 d)
 {
-  const vec4 a = knownAt(place - 3 * axis);
-  const vec4 b = knownAt(place - axis);
-  const vec4 c = knownAt(place + axis);
-  const vec4 d = knownAt(place + 3 * axis);
   return Prediction(cubic(a, b, c, d), estimate(a, b, c, d));
 }
 
-Prediction predictBetween(ivec2 place)
+// The places between a known one and the next ones.
+struct Quad
 {
-  vec4 all[4][4]; // [column][row]
-  vec4 columns[4];
+  Prediction right;
+  Prediction above;
+  Prediction aslant;
+};
+
+Quad predictFromColors(ivec2 corner)
+{
+  vec4 all[4][4]; // [column][row] of what is known around them
+  const Prediction nothing = Prediction(vec4(0.0), 0.0);
+  vec4 most = vec4(0.0);
   for (int x = 0; x < 4; ++x)
   {
     for (int y = 0; y < 4; ++y)
     {
-      all[x][y] = knownAt(place + 2 * ivec2(x, y) - 3);
+      all[x][y] = knownAt(corner + 2 * ivec2(x, y) - 2);
+      most = max(most, all[x][y]);
     }
-    columns[x] = cubic(all[x][0], all[x][1], all[x][2], all[x][3]);
+  }
+  if (most == vec4(0.0)) // as most of many a picture
+  {
+    return Quad(nothing, nothing, nothing);
   }
   vec4 rows[4];
-  for (int y = 0; y < 4; ++y)
+  vec4 columns[4];
+  for (int k = 0; k < 4; ++k)
   {
-    rows[y] = cubic(all[0][y], all[1][y], all[2][y], all[3][y]);
+    rows[k] = cubic(all[0][k], all[1][k], all[2][k], all[3][k]);
+    columns[k] = cubic(all[k][0], all[k][1], all[k][2], all[k][3]);
   }
-  return Prediction(cubic(columns[0], columns[1], columns[2], columns[3]),
-    max(estimate(columns[0], columns[1], columns[2], columns[3]),
-      estimate(rows[0], rows[1], rows[2], rows[3])));
+  Quad quad;
+  quad.right = predictBetween(all[0][1], all[1][1], all[2][1], all[3][1]);
+  quad.above = predictBetween(all[1][0], all[1][1], all[1][2], all[1][3]);
+  quad.aslant = predictBetween(columns[0], columns[1], columns[2], columns[3]);
+  quad.aslant.estimate =
+    max(quad.aslant.estimate, estimate(rows[0], rows[1], rows[2], rows[3]));
+  return quad;
 }
 
 float depthAt(ivec2 place) { return Depths(push.refinement.depth).items[pixelAt(place)]; }
@@ -91,32 +106,45 @@ float bendOfDepth(ivec2 place, ivec2 off)
   return abs(depthAt(place) - 0.5 * (depthAt(place - off) + depthAt(place + off)));
 }
 
-// `place`: not even along both axes.
-Prediction predict(ivec2 place)
+// Whether the prediction must not stand, whatever the colours are: there is nothing known behind the
+// place, or geometry has an edge. `off`: to the known ones around it.
+bool isUnpredictable(ivec2 place, ivec2 off)
 {
-  const bvec2 odd = bvec2((place.x & 1) != 0, (place.y & 1) != 0);
-  Prediction prediction;
-  if (odd.x && odd.y)
+  if (any(greaterThan(place + off, lastKnown())))
   {
-    prediction = predictBetween(place);
+    return true;
   }
-  else
+  if (push.refinement.hasDepth == 0u)
   {
-    prediction = predictAlong(place, ivec2(odd));
+    return false;
   }
+  float bend = bendOfDepth(place, off);
+  if (off == ivec2(1, 1))
+  {
+    bend = max(bend, bendOfDepth(place, ivec2(1, -1)));
+  }
+  return bend > push.refinement.greatestBend;
+}
+
+void finish(inout Prediction prediction, ivec2 place, ivec2 off)
+{
   prediction.color = max(prediction.color, vec4(0.0));
   prediction.color.a = min(prediction.color.a, 1.0);
-  const bool atEnd = any(greaterThan(place + ivec2(odd), lastKnown()));
-  if (!atEnd && push.refinement.hasDepth != 0u)
-  {
-    const float bend = odd.x && odd.y
-      ? max(bendOfDepth(place, ivec2(1, 1)), bendOfDepth(place, ivec2(1, -1)))
-      : bendOfDepth(place, ivec2(odd));
-    prediction.estimate = bend > push.refinement.greatestBend ? UNPREDICTABLE : prediction.estimate;
-  }
   // Also where a colour is no number.
-  prediction.estimate = atEnd || !(prediction.estimate >= 0.0) ? UNPREDICTABLE : prediction.estimate;
-  return prediction;
+  if (!(prediction.estimate >= 0.0) || isUnpredictable(place, off))
+  {
+    prediction.estimate = UNPREDICTABLE;
+  }
+}
+
+// `corner`: even along both axes.
+Quad predictQuad(ivec2 corner)
+{
+  Quad quad = predictFromColors(corner);
+  finish(quad.right, corner + ivec2(1, 0), ivec2(1, 0));
+  finish(quad.above, corner + ivec2(0, 1), ivec2(0, 1));
+  finish(quad.aslant, corner + ivec2(1, 1), ivec2(1, 1));
+  return quad;
 }
 
 bool isChecked(ivec2 place)

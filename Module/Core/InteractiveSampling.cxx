@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/InteractiveSampling.h"
 
+#include "Core/PredictedRays.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,9 +25,9 @@ constexpr double LeastPartOfMarching = 0.2;
 double mean(double before, double last) { return before + PartOfLast * (last - before); }
 }
 
-int thinnedSize(int pixels, double imageSampleDistance)
+int thinnedSize(int pixels, double distance)
 {
-  return std::max(1, static_cast<int>(std::lround(pixels / imageSampleDistance)));
+  return std::max(1, static_cast<int>(std::lround(pixels / distance)));
 }
 
 void InteractiveSampling::measured(
@@ -40,21 +42,31 @@ void InteractiveSampling::measured(
   this->SecondsPerRay = this->SecondsPerRay ? mean(*this->SecondsPerRay, perRay) : perRay;
 }
 
-Coarseness InteractiveSampling::choose(double seconds, double pixels, const Limits& limits) const
+Coarseness InteractiveSampling::choose(
+  double seconds, double pixels, const Limits& limits, bool predicts) const
 {
   const double most = std::max(limits.least, limits.most);
-  if (!this->SecondsPerRay)
-  {
-    return { most, 1.0 };
-  }
-  const double allowed = std::max(seconds - this->Other, LeastPartOfMarching * seconds);
-  const double wanted = std::sqrt(pixels * *this->SecondsPerRay / std::max(allowed, 1e-9));
   Coarseness chosen;
-  chosen.imageSampleDistance = std::clamp(wanted, limits.least, most);
-  if (wanted > most)
+  chosen.imageSampleDistance = most;
+  if (this->SecondsPerRay)
   {
-    const double speed = wanted * wanted / (most * most);
-    chosen.stepGrowth = std::min(std::exp2((speed - 1.0) / 0.3), GreatestGrowth);
+    const double allowed = std::max(seconds - this->Other, LeastPartOfMarching * seconds);
+    const double wanted = std::sqrt(pixels * *this->SecondsPerRay / std::max(allowed, 1e-9));
+    chosen.imageSampleDistance = std::clamp(wanted, limits.least, most);
+    if (wanted > most)
+    {
+      const double speed = wanted * wanted / (most * most);
+      chosen.stepGrowth = std::min(std::exp2((speed - 1.0) / 0.3), GreatestGrowth);
+    }
+  }
+  chosen.pixelDistance = chosen.imageSampleDistance;
+  const double rays = pixels / (chosen.imageSampleDistance * chosen.imageSampleDistance);
+  const double all = pixels / (limits.least * limits.least);
+  const double filled = MostPixelsPerRay * rays >= all ? all : PixelsPerRay * rays;
+  if (predicts && chosen.imageSampleDistance > limits.least && filled >= 0.25 * FewestPixels)
+  {
+    chosen.pixelDistance = std::sqrt(pixels / filled);
+    chosen.rays = rays;
   }
   return chosen;
 }

@@ -10,23 +10,44 @@ namespace exabricks
 {
 namespace
 {
-constexpr double FewestPixels = 40000.0; // of a picture
 constexpr double Blocks = 4000.0;
 constexpr int FewestDrawn = 200; // of checked pixels
 // Of the tolerance: longer steps save less than fewer rays.
 constexpr double ShareOfPredictions = 0.7;
 
-bool predictsPixels(const Quality& quality, double pixels)
+constexpr double ChecksPerRay = 1.0 / 20.0; // where rays are limited
+constexpr float LeastEstimate = 1e-20f;     // above that of what looks empty
+
+bool keepsTolerance(const Quality& quality, double pixels)
 {
   return quality.errorTolerance > 0.0 && quality.reconstruction != Reconstruction::Nearest &&
     !quality.jittered && pixels >= FewestPixels;
 }
+
+void sortByEstimate(std::vector<layout::RayCheck>& checks)
+{
+  std::sort(checks.begin(), checks.end(),
+    [](const layout::RayCheck& a, const layout::RayCheck& b) { return a.estimate < b.estimate; });
+}
 }
 
-bool predictsRays(const View& view)
+PredictionLimits limitPredictions(const View& view)
 {
-  return !view.target.whole &&
-    predictsPixels(view.quality, static_cast<double>(view.target.width) * view.target.height);
+  const double pixels = static_cast<double>(view.target.width) * view.target.height;
+  PredictionLimits limits;
+  if (view.target.whole || view.quality.jittered)
+  {
+    return limits;
+  }
+  if (keepsTolerance(view.quality, pixels))
+  {
+    limits.tolerance = ShareOfPredictions * view.quality.errorTolerance;
+  }
+  if (pixels >= 0.25 * FewestPixels && view.quality.rays < pixels)
+  {
+    limits.rays = view.quality.rays;
+  }
+  return limits;
 }
 
 double toleranceOfSteps(const View& view)
@@ -34,14 +55,9 @@ double toleranceOfSteps(const View& view)
   const double pixels = view.target.whole
     ? static_cast<double>(view.target.whole->width) * view.target.whole->height
     : static_cast<double>(view.target.width) * view.target.height;
-  return predictsPixels(view.quality, pixels)
+  return keepsTolerance(view.quality, pixels)
     ? std::sqrt(1.0 - ShareOfPredictions * ShareOfPredictions) * view.quality.errorTolerance
     : view.quality.errorTolerance;
-}
-
-double toleranceOfPredictions(const View& view)
-{
-  return ShareOfPredictions * view.quality.errorTolerance;
 }
 
 std::vector<std::uint32_t> listCheckedPixels(
@@ -66,16 +82,17 @@ std::vector<std::uint32_t> listCheckedPixels(
   return pixels;
 }
 
-std::uint32_t sideOfBlocks(std::uint32_t width, std::uint32_t height, std::uint32_t spacing)
+std::uint32_t sideOfBlocks(
+  std::uint32_t width, std::uint32_t height, std::uint32_t spacing, double rays)
 {
   const double places = static_cast<double>(width) * height / spacing / spacing;
-  return std::max(1u, static_cast<std::uint32_t>(std::sqrt(places / Blocks)));
+  const double blocks = rays > 0.0 ? std::min(Blocks, ChecksPerRay * rays) : Blocks;
+  return std::max(1u, static_cast<std::uint32_t>(std::sqrt(places / blocks)));
 }
 
 float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool isLastGrid)
 {
-  std::sort(checks.begin(), checks.end(),
-    [](const layout::RayCheck& a, const layout::RayCheck& b) { return a.estimate < b.estimate; });
+  sortByEstimate(checks);
   const auto drawn = std::count_if(
     checks.begin(), checks.end(), [](const layout::RayCheck& check) { return check.drawn != 0; });
   if (drawn < FewestDrawn)
@@ -93,5 +110,14 @@ float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool
     }
   }
   return layout::UNPREDICTABLE;
+}
+
+float findThresholdOfShare(std::vector<layout::RayCheck> checks, double share)
+{
+  sortByEstimate(checks);
+  const double count = static_cast<double>(checks.size());
+  const auto stand = static_cast<std::size_t>(std::clamp(1.0 - share, 0.0, 1.0) * count);
+  return stand < checks.size() ? std::max(checks[stand].estimate, LeastEstimate)
+                               : layout::UNPREDICTABLE;
 }
 }

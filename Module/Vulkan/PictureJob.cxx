@@ -25,12 +25,12 @@ PictureJob::PictureJob(std::shared_ptr<Device> device)
 }
 
 void PictureJob::begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
-  double predictionTolerance)
+  const PredictionLimits& limits)
 {
   this->Pass = pass;
   this->Width = static_cast<std::uint32_t>(target.width);
   this->Height = static_cast<std::uint32_t>(target.height);
-  this->Predicts = predictionTolerance > 0.0;
+  this->Predicts = limits.any();
   this->Next = Stage::Grid;
   this->Spacing = this->Predicts ? FirstSpacing : 1;
   this->NextRow = 0;
@@ -61,7 +61,7 @@ void PictureJob::begin(const layout::Frame& frame, const Target& target, const M
     {
       this->Refinement = std::make_unique<RayRefinement>(this->Owner);
     }
-    this->Refinement->begin(constants, predictionTolerance);
+    this->Refinement->begin(constants, limits);
   }
 }
 

@@ -18,11 +18,10 @@ public:
   explicit PictureJob(std::shared_ptr<Device> device);
 
   /// `frame` comes with all that concerns volume, transfer function and view (fillView()). The
-  /// target's depths are read before it returns. `predictionTolerance`: what pixels may err by that
-  /// are predicted from others (PredictedRays); 0: all are marched. Throws PictureFailure, where
-  /// there is no memory for a picture of that size.
+  /// target's depths are read before it returns. `limits`: with any, pixels are predicted from
+  /// others. Throws PictureFailure, where there is no memory for a picture of that size.
   void begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
-    double predictionTolerance = 0.0);
+    const PredictionLimits& limits = {});
 
   /// Marches the next pixels, so many that it takes about PieceSeconds by what the last ones took:
   /// a GPU that also drives a display must not be kept for long, and whoever waits may want to

@@ -6,6 +6,7 @@
 #include "PredictPixelsInt64Spirv.h"
 #include "PredictPixelsSpirv.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace exabricks
@@ -53,10 +54,12 @@ vk::raii::Pipeline RayRefinement::MakePipeline(const vk::ShaderModuleCreateInfo&
     vk::ComputePipelineCreateInfo({}, stage, *this->Layout) };
 }
 
-void RayRefinement::begin(const layout::Frame& frame, double tolerance)
+void RayRefinement::begin(const layout::Frame& frame, const PredictionLimits& limits)
 {
   this->Frame = frame;
-  this->Tolerance = tolerance;
+  this->Limits = limits;
+  this->Marched =
+    static_cast<double>(groups(frame.width, FirstSpacing)) * groups(frame.height, FirstSpacing);
   this->Spacing = FirstSpacing / 2;
   const vk::DeviceSize bytes = vk::DeviceSize(frame.width) * frame.height * sizeof(std::uint32_t);
   if (this->ToMarch.bytes() < bytes)
@@ -75,7 +78,8 @@ vk::DeviceAddress RayRefinement::list() const
 
 void RayRefinement::listChecks()
 {
-  this->Side = sideOfBlocks(this->Frame.width, this->Frame.height, this->Spacing);
+  this->Side =
+    sideOfBlocks(this->Frame.width, this->Frame.height, this->Spacing, this->Limits.rays);
   const std::vector<std::uint32_t> pixels =
     listCheckedPixels(this->Frame.width, this->Frame.height, this->Spacing, this->Side);
   this->Listed = static_cast<std::uint32_t>(pixels.size());
@@ -109,7 +113,24 @@ void RayRefinement::recordChecks(const vk::raii::CommandBuffer& commands) const
 void RayRefinement::takeChecks()
 {
   const auto* const all = static_cast<const layout::RayCheck*>(this->Checks.data());
-  this->Threshold = findThreshold({ all, all + this->Listed }, this->Tolerance, this->Spacing == 1);
+  const std::vector<layout::RayCheck> checks(all, all + this->Listed);
+  this->Marched += this->Listed;
+  this->Threshold = this->Limits.tolerance > 0.0
+    ? findThreshold(checks, this->Limits.tolerance, this->Spacing == 1)
+    : 0.0f;
+  if (this->Limits.rays > 0.0)
+  {
+    this->Threshold = std::max(this->Threshold, findThresholdOfShare(checks, this->FindShare()));
+  }
+}
+
+double RayRefinement::FindShare() const
+{
+  const double left = std::max(this->Limits.rays - this->Marched, 0.0);
+  const double now = this->Spacing == 1 ? left : 0.5 * left;
+  const double places = static_cast<double>(groups(this->Frame.width, this->Spacing)) *
+    groups(this->Frame.height, this->Spacing);
+  return now / std::max(0.75 * places - this->Listed, 1.0);
 }
 
 void RayRefinement::recordPrediction(const vk::raii::CommandBuffer& commands) const
@@ -119,10 +140,10 @@ void RayRefinement::recordPrediction(const vk::raii::CommandBuffer& commands) co
   constants.pixels = this->ToMarch.address();
   constants.results = this->Count.address();
   constants.threshold = this->Threshold;
-  const std::uint32_t columns = groups(this->Frame.width, this->Spacing);
-  const std::uint32_t rows = groups(this->Frame.height, this->Spacing);
-  this->Record(
-    commands, this->Predict, constants, groups(columns, SideOfGroup), groups(rows, SideOfGroup));
+  // An invocation predicts the three places around a known one.
+  const std::uint32_t reach = 2 * this->Spacing * SideOfGroup;
+  this->Record(commands, this->Predict, constants, groups(this->Frame.width, reach),
+    groups(this->Frame.height, reach));
   this->Count.record(commands, sizeof(std::uint32_t));
 }
 
@@ -130,6 +151,7 @@ void RayRefinement::takeList()
 {
   std::memcpy(&this->Listed, this->Count.data(), sizeof(this->Listed));
   this->Checking = false;
+  this->Marched += this->Listed;
 }
 
 bool RayRefinement::goOn()

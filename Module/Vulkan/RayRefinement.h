@@ -16,9 +16,9 @@ class RayRefinement
 public:
   explicit RayRefinement(std::shared_ptr<Device> device);
 
-  /// A picture whose pixels at every FirstSpacing-th place are marched, by `frame`, to err by
-  /// `tolerance`. Throws PictureFailure, where there is no memory for the list.
-  void begin(const layout::Frame& frame, double tolerance);
+  /// A picture whose pixels at every FirstSpacing-th place are marched, by `frame`. Throws
+  /// PictureFailure, where there is no memory for the list.
+  void begin(const layout::Frame& frame, const PredictionLimits& limits);
 
   /// Of the present grid: pixels, their number and the list's device address.
   std::uint32_t listed() const { return this->Listed; }
@@ -40,6 +40,8 @@ public:
   bool goOn();
 
 private:
+  /// Of the pixels that the present grid adds, but for checked ones, what may be marched.
+  double FindShare() const;
   vk::raii::Pipeline MakePipeline(const vk::ShaderModuleCreateInfo& code) const;
   layout::Refinement MakeConstants() const;
   void Record(const vk::raii::CommandBuffer& commands, const vk::raii::Pipeline& pipeline,
@@ -50,7 +52,8 @@ private:
   vk::raii::Pipeline Check = nullptr;   // Shaders/CheckPredictions.comp
   vk::raii::Pipeline Predict = nullptr; // Shaders/PredictPixels.comp
   layout::Frame Frame{};                // the picture's
-  double Tolerance = 0.0;
+  PredictionLimits Limits;
+  double Marched = 0.0;      // pixels so far
   std::uint32_t Spacing = 1; // of the grid
   std::uint32_t Side = 1;    // of its blocks
   float Threshold = 0.0f;

@@ -360,8 +360,7 @@ struct VolumeRenderer::Internals
       this->Job = std::make_unique<vulkan::PictureJob>(this->Session.device());
     }
     this->Job->begin(this->MakeFrame(level, view), view.target,
-      this->FindPass(view, view.target.nearDepth != nullptr),
-      predictsRays(view) ? toleranceOfPredictions(view) : 0.0);
+      this->FindPass(view, view.target.nearDepth != nullptr), limitPredictions(view));
     while (this->Job->march())
     {
       if (progress && !progress(this->Job->progress()))

@@ -36,7 +36,7 @@ def load(folder):
         "machine": read_csv(folder, "machine.csv", ["name", "value"]),
         "features": read_csv(folder, "features.csv", ["feature", "method", "value", "wall_ms", "cpu_ms", "db"]),
         "motion": read_csv(folder, "motion.csv", [
-            "scene", "method", "allowed_ms", "taken_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth"]),
+            "scene", "method", "allowed_ms", "taken_ms", "cpu_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth"]),
     }
     for name in ("scenes", "growth"):
         data[name] = read_csv(folder, f"{name}.csv", [
@@ -186,8 +186,8 @@ def feature_costs(data):
     """What each thing that can be set costs: ours beside a plain picture, and beside the mappers of a resampled grid."""
     lines, plain = [], None
     for feature, rows in data["features"].groupby("feature", sort=False):
-        ours = rows[rows.method == MAPPER]
-        default = ours[ours.value == DEFAULT_STEP].iloc[0]
+        default = rows[(rows.method == MAPPER) & (rows.value == DEFAULT_STEP)].iloc[0]
+        ours = rows[rows.method.str.startswith(MAPPER)]  # by tolerance too
         plain = default.cpu_ms if plain is None else plain
         line = {"feature": feature, "wall_ms": default.wall_ms, "cpu_ms": default.cpu_ms, "db": default.db,
                 "of_plain": default.cpu_ms / plain}
