@@ -22,6 +22,17 @@ vec3 readCells(
   return c - corner;
 }
 
+// Of a brick alone, all of whose cells are there: whatever its tents weigh.
+float interpolateBrick(Brick brick, vec3 q, uint component)
+{
+  const uvec3 n = cellsOf(brick);
+  vec4 lower;
+  vec4 upper;
+  const vec3 f =
+    readCells(brick, n, clamp(q - 0.5, vec3(0.0), vec3(n) - 1.0), component, lower, upper);
+  return clamp(interpolate(lower, upper, f), 0.0, 1.0); // which rounding may pass
+}
+
 // Adds a brick's tents at `q`, in cells from its lower corner.
 void addBasis(Brick brick, vec3 q, uint component, inout float sum, inout float weight)
 {

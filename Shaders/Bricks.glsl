@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of bricks, and where the values of a brick's cells are.
 
+Brick readBrick(uint index)
+{
+  const uint at = BRICK_WORDS * index;
+  const uvec2 first = unpackWord(bricks.words[at]);
+  const uvec2 second = unpackWord(bricks.words[at + 1u]);
+  Brick brick;
+  brick.lo = ivec3(first, second.x);
+  brick.width = int(second.y);
+  brick.dimensions = unpackWord(bricks.words[at + 2u]).x;
+  brick.values = bricks.words[at + 3u];
+  return brick;
+}
+
 // The brick at a place in the lists. The place comes back as that of the next one of the list, or as 0
 // after the last one, which no list goes on from.
 Brick nextBrick(inout uint place)
 {
   const uint entry = brickLists.items[place];
   place = (entry & LAST_BRICK) == 0u ? place + 1u : 0u;
-  return bricks.items[entry & ~LAST_BRICK];
+  return readBrick(entry & ~LAST_BRICK);
 }
 
 uvec3 cellsOf(Brick brick)

@@ -19,7 +19,7 @@ uvec2 unpackWord(Word word) { return word; }
 #include "Layout.h"
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameBuffer { Frame frame; };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bricks { Brick items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bricks { Word words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ActiveBoxes { ActiveBox items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices { uint items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdNodes { KdNode items[]; };

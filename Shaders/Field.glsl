@@ -6,6 +6,10 @@
 // at least. `others`: place of the rest of the list, 0: there is none.
 float sampleField(Brick brick, uint others, Ray ray, float distance)
 {
+  if (!isCompleted && others == 0u && (brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    return interpolateBrick(brick, toCells(brick, ray, distance), 0u);
+  }
   float sum = 0.0;
   float weight = 0.0;
   while (true)

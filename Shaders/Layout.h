@@ -68,7 +68,7 @@ EXABRICKS_CONST uint MIXING_RGBA = 2u;
 EXABRICKS_CONST uint MIXING_PLANAR = 3u;
 EXABRICKS_CONST uint MOST_COMPONENTS = 4u;
 
-// A box of cells of one level. 32 bytes.
+// A box of cells of one level. 32 bytes, which shaders read as BRICK_WORDS words of 64 bits.
 struct Brick
 {
   ivec3 lo;        // lower corner, half cells
@@ -77,6 +77,7 @@ struct Brick
   uint unused;
   DeviceAddress values; // of the first one; x runs fastest, and within a cell its components
 };
+EXABRICKS_CONST uint BRICK_WORDS = 4u;
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
 
 // Stands for the value of a cell that is absent (hidden). Values lie in [0, 1].
@@ -313,7 +314,7 @@ struct PictureDifference
 EXABRICKS_CONST float DRAWN_OPACITY = 1.0f / 255.0f; // that a drawn pixel has at least
 
 #ifdef __cplusplus
-static_assert(sizeof(Brick) == 32, "as in GLSL's scalar layout");
+static_assert(sizeof(Brick) == 8 * BRICK_WORDS, "as shaders read it");
 static_assert(offsetof(Brick, values) == 24, "as in GLSL's scalar layout");
 static_assert(sizeof(Region) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");

@@ -66,7 +66,7 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
     }
     if (axis == BRICK_TREE_LEAF)
     {
-      const Brick found = bricks.items[node.link >> 2];
+      const Brick found = readBrick(node.link >> 2);
       addBasis(found, toCells(found, ray, distance), 0u, sum, weight);
     }
     if (pendingCount == 0)

@@ -64,7 +64,7 @@ bool findLeafCell(ivec3 center, int width, out float value)
     const int at = axis == 0 ? center.x : axis == 1 ? center.y : center.z;
     node = brickTree.items[(node.link >> 2) + uint(at >= node.lowerEnd)];
   }
-  const Brick brick = bricks.items[node.link >> 2];
+  const Brick brick = readBrick(node.link >> 2);
   const ivec3 inside = center - brick.lo;
   const ivec3 cell = inside / (2 * brick.width);
   const bool holds =
