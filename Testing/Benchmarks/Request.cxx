@@ -88,7 +88,7 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
     ->group("How");
   app
     .add_option("--accuracy-size", texts.accuracySize,
-      "Of the pictures that are compared [256x256, quick and full: 128x128]")
+      "Of the pictures that are compared [that of the timed frames, quick: 128x128]")
     ->group("How");
   app.add_option("--rounds", texts.rounds, "Timed frames of each [5, full and quick: 3]")
     ->check(CLI::Range(1, 10000))
@@ -200,9 +200,8 @@ bool parseRequest(int argc, char** argv, Request& request)
     [&](const char* option, const std::string& text, const Size& full, const Size& quick)
   { return text.empty() ? (texts.quick ? quick : full) : render::parseSize(option, text); };
   plan.size = size("--size", texts.size, { 512, 512 }, { 256, 256 });
-  const int compared = texts.full ? 128 : 256;
-  plan.accuracySize =
-    size("--accuracy-size", texts.accuracySize, { compared, compared }, { 128, 128 });
+  // By an error tolerance a large picture is drawn in another way than a small one.
+  plan.accuracySize = size("--accuracy-size", texts.accuracySize, plan.size, { 128, 128 });
   plan.rounds = texts.rounds > 0 ? texts.rounds : texts.quick || texts.full ? 3 : 5;
   plan.budget = texts.budget > 0.0 ? texts.budget : texts.full ? 1.0 : texts.quick ? 2.0 : 5.0;
   render::Options& draw = request.input.draw;
