@@ -88,6 +88,7 @@ struct vtkExaBricksBuilder::vtkInternals
 {
   std::shared_ptr<const exabricks::Structure> Structure; // kept while the boxes stay the same
   bool ReportedConversion = false;
+  bool ReportedUnread = false;
   exabricks::UnfinishedRun Unfinished;
 
   explicit vtkInternals(vtkExaBricksBuilder* self)
@@ -131,6 +132,11 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   {
     vtkErrorWithObjectMacro(this->Self, << input.fault << ".");
     return nullptr;
+  }
+  if (!input.unread.empty() && !this->ReportedUnread)
+  {
+    this->ReportedUnread = true; // once, as the next time step is read as this one
+    vtkWarningWithObjectMacro(this->Self, << input.unread);
   }
   exabricks::AMRCellSource source(
     input, this->Self->VectorMode == COMPONENT ? this->Self->VectorComponent : -1);

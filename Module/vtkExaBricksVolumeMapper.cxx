@@ -182,9 +182,24 @@ int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
   return this->Internals->Renderer.statistics().levelsLeftOut;
 }
 
-vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays()
+vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays() { return this->Internals->Rays; }
+
+vtkDataSet* vtkExaBricksVolumeMapper::GetInput(int port)
 {
-  return static_cast<vtkIdType>(this->Internals->Renderer.statistics().rays);
+  auto* amr = vtkOverlappingAMR::SafeDownCast(
+    this->GetNumberOfInputConnections(port) > 0 ? this->GetInputDataObject(port, 0) : nullptr);
+  vtkDataSet* only = nullptr;
+  std::size_t blocks = 0;
+  if (amr)
+  {
+    exabricks::forEachBlock(amr,
+      [&](vtkDataSet* block)
+      {
+        only = block;
+        ++blocks;
+      });
+  }
+  return blocks == 1 ? only : nullptr;
 }
 
 double* vtkExaBricksVolumeMapper::GetBounds()

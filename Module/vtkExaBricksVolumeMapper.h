@@ -135,9 +135,7 @@ public:
    * How far apart the rays of a picture are, in pixels along each of its axes, as of VTK's ray cast
    * mappers. Default 1: one for each pixel; of 2, one for each four, between which the picture is
    * filled in, but not across edges of opaque geometry. Where sample distances are adjusted it is
-   * chosen, from the least to the greatest one, in the mean: in windows of more than 10 000 pixels
-   * more of the rays are where the picture changes most. Beyond that, steps between samples grow
-   * too.
+   * chosen, from the least to the greatest one; beyond that, steps between samples grow too.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);
@@ -187,19 +185,24 @@ public:
    * reconstruction; 0.004 is one of 255 steps. Steps are then chosen for each picture from a few of
    * its pixels, longer ones where the transfer function hardly varies over a region's values and
    * behind what is nearly opaque, and neither StepScale, SampleDistance nor EarlyTerminationOpacity
-   * count. Finest levels that the picture hardly needs, as their cells are smaller than pixels or
-   * vary little, are left out: the next one's cells take the mean of theirs. Rays go through every
-   * fourth pixel along each axis first, and through others where the picture is not as these
-   * predict it (Levoy, "Volume rendering by adaptive refinement", The Visual Computer 1990), by as
-   * much as half of the squared error allows; that is measured on some pixels drawn to check it.
-   * Parts of a picture (tiles, eyes, what lies between translucent geometry), jittered pictures and
-   * those of less than 40 000 pixels have a ray for each pixel. For the levels left out the device
-   * holds the volume without them too, a quarter more memory where blocks are large, up to twice as
-   * much in octrees of small ones. The choice depends on the view and its opaque geometry alone,
-   * not on what was drawn before; the tiles of a large picture and the eyes of a stereo one have
-   * that of the whole, without regard to geometry. 0 (default): step and opacity alone count, and
-   * all levels are drawn. Has no effect on the nearest reconstruction, which is exact. Below about
-   * 1e-4 a picture takes seconds, and single precision is the limit.
+   * count.
+   *
+   * Finest levels that the picture hardly needs, as their cells are smaller than pixels or vary
+   * little, are left out: the next one's cells take the mean of theirs. For that the device holds
+   * the volume without them too, a quarter more memory where blocks are large, up to twice as much
+   * in octrees of small ones.
+   *
+   * Rays go through every fourth pixel along each axis first, and through others where the picture
+   * is not as these predict it (Levoy, "Volume rendering by adaptive refinement", The Visual
+   * Computer 1990), so that half of the squared error is that of predictions; it is measured on
+   * some pixels drawn to check it. Parts of a picture (tiles, eyes, what lies between translucent
+   * geometry, volumes that overlap), jittered pictures and those of less than 40 000 pixels have a
+   * ray for each pixel.
+   *
+   * The choice depends on the view and its opaque geometry alone, not on what was drawn before; the
+   * parts of a picture have that of the whole, without regard to geometry. 0 (default): step and
+   * opacity alone count, and all levels are drawn. Has no effect on the nearest reconstruction,
+   * which is exact. Below about 1e-4 a picture takes seconds, and single precision is the limit.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
@@ -382,9 +385,18 @@ public:
   /// How many of the finest levels the last picture did without, for the ErrorTolerance.
   int GetLevelsLeftOut();
 
-  /// How many pixels of the last picture had a ray of their own: all, or with an ErrorTolerance
-  /// those that were not predicted from others.
+  /// How many pixels of the last picture had a ray of their own, of a picture in several passes
+  /// each: all, but for those that an ErrorTolerance lets be predicted from others.
   vtkIdType GetNumberOfRays();
+
+  ///@{
+  /**
+   * The AMR's block, where it has one alone: what programs ask for the range or the size of their
+   * image. Null for an AMR of several blocks, which is no vtkDataSet: see GetDataObjectInput().
+   */
+  vtkDataSet* GetInput() override { return this->GetInput(0); }
+  vtkDataSet* GetInput(int port) override;
+  ///@}
 
   double* GetBounds() override;
   void GetBounds(double bounds[6]) override { this->vtkVolumeMapper::GetBounds(bounds); }

@@ -45,6 +45,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   double OtherOfPasses = 0.0;
   vtkMTimeType InteractiveTime = 0; // of the mapper, when anything was last measured
   exabricks::Coarseness Coarseness; // of the last picture
+  vtkIdType Rays = 0;               // and how many it had
 
   std::set<std::string> ReportedWarnings; // each is reported once
   bool SaidTransparent = false;   // that next to nothing shows: once, whatever the functions become
@@ -77,7 +78,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   bool AdjustsSampleDistances(vtkRenderer* ren) const;
   void MeasurePasses();
   exabricks::Coarseness ChooseCoarseness(vtkRenderer* ren, vtkVolume* vol,
-    const exabricks::BrickedVolume& bricked, bool joined, int width, int height);
+    const exabricks::BrickedVolume& bricked, int width, int height);
   exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height) const;
 

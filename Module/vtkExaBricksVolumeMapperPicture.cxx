@@ -90,14 +90,13 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     auto* amr = vtkOverlappingAMR::SafeDownCast(this->Self->GetDataObjectInput());
     return this->Compositor.drawSelection(ren, makeView, this->Renderer, amr, bricked);
   }
-  const std::vector<Overlapping> others = this->FindOverlapping(ren, vol);
   double rays = 0.0;
   const auto makeView = [&](int width, int height)
   {
     if (this->Compositor.isFirstPass())
     {
       this->MeasurePasses(); // those of the picture before, of which none is known to be the last
-      this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, !others.empty(), width, height);
+      this->Coarseness = this->ChooseCoarseness(ren, vol, bricked, width, height);
     }
     const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
     rays = static_cast<double>(view.target.width) * view.target.height;
@@ -109,6 +108,7 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     this->Aborted = ren->GetRenderWindow()->CheckAbortStatus() != 0;
     return !this->Aborted;
   };
+  const std::vector<Overlapping> others = this->FindOverlapping(ren, vol);
   const exabricks::VolumeRenderer::Statistics before = this->Renderer.statistics();
   const exabricks::Stopwatch watch;
   double marching = 0.0;
@@ -120,8 +120,10 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
   {
     // What is made once does not count for the pictures after this one.
     const bool steady = madeNothing(before, this->Renderer.statistics());
-    this->RaysOfPasses =
-      this->Coarseness.rays > 0.0 ? static_cast<double>(this->Renderer.statistics().rays) : rays;
+    this->RaysOfPasses = others.empty() && !this->Compositor.isPeeling()
+      ? static_cast<double>(this->Renderer.statistics().rays)
+      : rays;
+    this->Rays = static_cast<vtkIdType>(this->RaysOfPasses);
     this->MarchingOfPasses += marching;
     this->OtherOfPasses += steady ? watch.seconds() - marching : 0.0;
     if (!this->Compositor.isPeeling())
@@ -273,16 +275,13 @@ bool vtkExaBricksVolumeMapper::vtkInternals::AdjustsSampleDistances(vtkRenderer*
     : this->Self->AutoAdjustSampleDistances != 0;
 }
 
-exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(vtkRenderer* ren,
-  vtkVolume* vol, const exabricks::BrickedVolume& bricked, bool joined, int width, int height)
+exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
+  vtkRenderer* ren, vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height)
 {
   if (!this->AdjustsSampleDistances(ren))
   {
-    exabricks::Coarseness even;
-    even.imageSampleDistance = even.pixelDistance = this->Self->ImageSampleDistance;
-    return even;
+    return { this->Self->ImageSampleDistance, 1.0 };
   }
-  const bool predicts = !this->Compositor.isPeeling() && !joined;
   const double seconds = vol->GetAllocatedRenderTime();
   const double pixels = static_cast<double>(width) * height;
   const exabricks::InteractiveSampling::Limits limits{ this->Self->MinimumImageSampleDistance,
@@ -294,28 +293,27 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(v
   if (!this->Interactive.knows())
   {
     // Few of its pixels tell how long the picture takes.
-    this->Coarseness = this->Interactive.choose(seconds, pixels, limits, false);
+    this->Coarseness = this->Interactive.choose(seconds, pixels, limits);
     const exabricks::View view = this->MakeCoarseView(ren, vol, bricked, width, height);
     std::vector<glm::vec4> picture;
     if (this->Renderer.render(view, picture).empty())
     {
       this->Interactive.measured(this->Coarseness,
-        static_cast<double>(view.target.width) * view.target.height,
+        static_cast<double>(this->Renderer.statistics().rays),
         this->Renderer.statistics().marchTime, 0.0);
       this->InteractiveTime = this->Self->GetMTime();
     }
   }
-  return this->Interactive.choose(seconds, pixels, limits, predicts);
+  return this->Interactive.choose(seconds, pixels, limits);
 }
 
 // A view of so many pixels with the rays and steps that were chosen.
 exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeCoarseView(vtkRenderer* ren,
   vtkVolume* vol, const exabricks::BrickedVolume& bricked, int width, int height) const
 {
-  const double distance = this->Coarseness.pixelDistance;
+  const double distance = this->Coarseness.imageSampleDistance;
   exabricks::View view = this->MakeView(ren, vol, bricked, exabricks::thinnedSize(width, distance),
     exabricks::thinnedSize(height, distance));
-  view.quality.rays = this->Coarseness.rays;
   view.quality.stepGrowth = this->Coarseness.stepGrowth;
   view.quality.keepsSampling = this->AdjustsSampleDistances(ren);
   return view;

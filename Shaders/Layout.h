@@ -259,8 +259,8 @@ struct Frame
   vec4 undefined; // extinction of cells whose value is undefined, times red, green, blue, 1
 };
 
-// What one dispatch marches: some rows of a picture, or of the grid of every so manieth of its
-// pixels along each axis; or some pixels of a list.
+// What one dispatch marches: some rows of a picture, or of a grid of its pixels, spaced evenly
+// along each axis; or some pixels of a list.
 struct Band
 {
   DeviceAddress frame; // device address of the Frame
@@ -285,8 +285,12 @@ struct Refinement
   uint side;    // of the blocks in which one place each is checked (CheckedPixels.h)
   uint checks;  // number of pixels that are checked
   uint hasDepth;
-  float greatestBend; // of window depths
-  float threshold;    // predictions stand whose estimate is below; at most UNPREDICTABLE
+  // From window depths to distances along a ray, as fractions of what brackets the bounds (Frame)
+  float firstDepth;
+  float inverseDepths;
+  float firstW;
+  float secondW;
+  float threshold; // predictions stand whose estimate is below; at most UNPREDICTABLE
 };
 EXABRICKS_CONST float UNPREDICTABLE = 1e30f; // estimate of what must not stand
 
@@ -321,6 +325,8 @@ static_assert(sizeof(ActiveBox) == 32, "as in GLSL's scalar layout");
 static_assert(sizeof(KdNode) == 8, "as in GLSL's scalar layout");
 static_assert(sizeof(TransferBin) == 8 * TRANSFER_BIN_WORDS, "as shaders read it");
 static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
+static_assert(sizeof(Band) == 40 && sizeof(Refinement) == 80 && sizeof(RayCheck) == 12,
+  "as in GLSL's scalar layout");
 static_assert(
   sizeof(Frame) == 2376 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,

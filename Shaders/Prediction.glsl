@@ -16,6 +16,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Ch
 
 layout(push_constant, scalar) uniform Push { Refinement refinement; } push;
 
+// Where a ray ends as far from where those of its neighbours do, geometry has an edge.
+const float BEND_OF_EDGE = 1.0 / 256.0;
+
 struct Prediction
 {
   vec4 color;
@@ -56,6 +59,15 @@ Prediction predictBetween(vec4 a, vec4 b, vec4 c, vec4 d)
   return Prediction(cubic(a, b, c, d), estimate(a, b, c, d));
 }
 
+// Cubics pass what they interpolate. Colours are premultiplied, and above opacity where they are lit.
+vec4 limit(vec4 color, vec4 most)
+{
+  color = max(color, vec4(0.0));
+  color.a = min(color.a, 1.0);
+  color.rgb = min(color.rgb, max(vec3(color.a), most.rgb));
+  return color;
+}
+
 // The places between a known one and the next ones.
 struct Quad
 {
@@ -69,13 +81,20 @@ Quad predictFromColors(ivec2 corner)
   vec4 all[4][4]; // [column][row] of what is known around them
   const Prediction nothing = Prediction(vec4(0.0), 0.0);
   vec4 most = vec4(0.0);
+  float sum = 0.0;
   for (int x = 0; x < 4; ++x)
   {
     for (int y = 0; y < 4; ++y)
     {
       all[x][y] = knownAt(corner + 2 * ivec2(x, y) - 2);
       most = max(most, all[x][y]);
+      sum += dot(all[x][y], vec4(1.0));
     }
+  }
+  if (isnan(sum) || isinf(sum))
+  {
+    const Prediction never = Prediction(vec4(0.0), UNPREDICTABLE);
+    return Quad(never, never, never);
   }
   if (most == vec4(0.0)) // as most of many a picture
   {
@@ -94,16 +113,27 @@ Quad predictFromColors(ivec2 corner)
   quad.aslant = predictBetween(columns[0], columns[1], columns[2], columns[3]);
   quad.aslant.estimate =
     max(quad.aslant.estimate, estimate(rows[0], rows[1], rows[2], rows[3]));
+  quad.right.color = limit(quad.right.color, most);
+  quad.above.color = limit(quad.above.color, most);
+  quad.aslant.color = limit(quad.aslant.color, most);
   return quad;
 }
 
-float depthAt(ivec2 place) { return Depths(push.refinement.depth).items[pixelAt(place)]; }
-
-// How far the depth at which the pixel's ray ends is from going evenly between those of others, as it
-// does on a plane.
-float bendOfDepth(ivec2 place, ivec2 off)
+// The distance at which the pixel's ray ends, a fraction of that between the two depths that bracket
+// the bounds: before and behind these geometry hides all, or nothing.
+float endOfRay(ivec2 place)
 {
-  return abs(depthAt(place) - 0.5 * (depthAt(place - off) + depthAt(place + off)));
+  const float depth = Depths(push.refinement.depth).items[pixelAt(place)];
+  const float fraction = clamp(
+    (2.0 * depth - 1.0 - push.refinement.firstDepth) * push.refinement.inverseDepths, 0.0, 1.0);
+  const float seen = fraction * push.refinement.secondW;
+  return seen / ((1.0 - fraction) * push.refinement.firstW + seen);
+}
+
+// How far that is from going evenly between those of others, as it nearly does on a plane.
+float bendOfEnds(ivec2 place, ivec2 off)
+{
+  return abs(endOfRay(place) - 0.5 * (endOfRay(place - off) + endOfRay(place + off)));
 }
 
 // Whether the prediction must not stand, whatever the colours are: there is nothing known behind the
@@ -118,20 +148,17 @@ bool isUnpredictable(ivec2 place, ivec2 off)
   {
     return false;
   }
-  float bend = bendOfDepth(place, off);
+  float bend = bendOfEnds(place, off);
   if (off == ivec2(1, 1))
   {
-    bend = max(bend, bendOfDepth(place, ivec2(1, -1)));
+    bend = max(bend, bendOfEnds(place, ivec2(1, -1)));
   }
-  return bend > push.refinement.greatestBend;
+  return bend > BEND_OF_EDGE;
 }
 
 void finish(inout Prediction prediction, ivec2 place, ivec2 off)
 {
-  prediction.color = max(prediction.color, vec4(0.0));
-  prediction.color.a = min(prediction.color.a, 1.0);
-  // Also where a colour is no number.
-  if (!(prediction.estimate >= 0.0) || isUnpredictable(place, off))
+  if (isUnpredictable(place, off))
   {
     prediction.estimate = UNPREDICTABLE;
   }

@@ -249,10 +249,10 @@ void printReport(std::ostream& out, const Run& run)
     startLine(out, "Left out") << "finest levels, as the error tolerance allows: "
                                << mapper->GetLevelsLeftOut() << '\n';
   }
-  if (mapper->GetErrorTolerance() > 0.0)
+  const vtkIdType pixels = static_cast<vtkIdType>(run.Asked.Size[0]) * run.Asked.Size[1];
+  if (mapper->GetNumberOfRays() < pixels)
   {
-    startLine(out, "Rays") << mapper->GetNumberOfRays() << " of "
-                           << static_cast<vtkIdType>(run.Asked.Size[0]) * run.Asked.Size[1]
+    startLine(out, "Rays") << mapper->GetNumberOfRays() << " of " << pixels
                            << " pixels, as the error tolerance allows\n";
   }
   const char* device = mapper->GetDeviceName();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace exabricks
@@ -78,6 +79,7 @@ public:
     if (this->Ok())
     {
       this->FinishLattice();
+      this->Input.unread = this->DescribeUnread();
     }
     return std::move(this->Input);
   }
@@ -94,6 +96,54 @@ private:
       : "expected at least one block from level " + std::to_string(this->Levels.first) + " to " +
         std::to_string(this->Levels.last) + ", found none, of " + levels +
         ". Call SetLevelRange() with levels that are there";
+  }
+
+  // Readers tell the boxes of all levels, and read few of them unless they are told to.
+  std::string DescribeUnread() const
+  {
+    const auto read = static_cast<unsigned int>(this->Input.amrLevel.back()) + 1;
+    const unsigned int wanted = std::min(this->Levels.last, this->AMR->GetNumberOfLevels() - 1) + 1;
+    unsigned int levels = read; // that have blocks
+    double shown = 0.0;         // cells without finer ones, as far as they were read
+    double all = 0.0;
+    double before = 0.0; // of the coarser level, cells
+    for (unsigned int level = this->Levels.first; level < wanted; ++level)
+    {
+      double cells = 0.0;
+      for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level); ++index)
+      {
+        cells += static_cast<double>(this->AMR->GetAMRBox(level, index).GetNumberOfCells());
+      }
+      if (!(cells > 0.0))
+      {
+        continue;
+      }
+      double covered = 0.0;
+      if (before > 0.0)
+      {
+        double coarse[3];
+        double fine[3];
+        this->AMR->GetSpacing(level - 1, coarse);
+        this->AMR->GetSpacing(level, fine);
+        covered = cells * fine[0] / coarse[0] * fine[1] / coarse[1] * fine[2] / coarse[2];
+      }
+      all += cells - covered;
+      shown = level < read ? all : shown;
+      levels = std::max(levels, level + 1);
+      before = cells;
+    }
+    if (levels <= read || !(shown > 0.0 && all > shown))
+    {
+      return {};
+    }
+    std::ostringstream text;
+    text << "Of " << levels << " levels " << read << (read == 1 ? " was" : " were")
+         << " read, with " << std::setprecision(2) << 100.0 * shown / all
+         << " % of the cells that there are. For more call SetMaxLevel(" << levels - 1
+         << ") of the reader, or SetMaximumLevelsToReadByDefault(0) of one of .vthb files; or "
+            "SetLevelRange(0, "
+         << read - 1 << ") of the mapper, if it is meant.";
+    return text.str();
   }
 
   void AddBlock(unsigned int level, unsigned int index, vtkDataSet* block)

@@ -25,6 +25,7 @@ struct AMRInput
   std::vector<vtkSmartPointer<vtkImageData>> grids; // [block]
   std::vector<Int3> offsets; // [block], of its AMR box in the cells of its grid (ghost layers)
   std::string fault;         // empty, or why it cannot be drawn
+  std::string unread;        // empty, or how much less than there is a reader has read
 };
 
 /// Levels of an AMR, from the one number to the other.

@@ -120,9 +120,9 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   }
   const int isoValues = property->GetIsoSurfaceValues()->GetNumberOfContours();
   if (mode == vtkVolumeMapper::ISOSURFACE_BLEND &&
-    (isoValues < 1 || isoValues > static_cast<int>(layout::MOST_ISO_VALUES)))
+    isoValues > static_cast<int>(layout::MOST_ISO_VALUES))
   {
-    requests.refused = "expected 1 to " + std::to_string(layout::MOST_ISO_VALUES) +
+    requests.refused = "expected at most " + std::to_string(layout::MOST_ISO_VALUES) +
       " iso-values for blend mode iso-surface, found " + std::to_string(isoValues) +
       ". Call GetIsoSurfaceValues()->SetValue() of the volume property";
     return requests;
@@ -138,6 +138,11 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     }
   }
   const auto without = [&](const std::string& what) { requests.drawnWithout.push_back(what); };
+  if (mode == vtkVolumeMapper::ISOSURFACE_BLEND && isoValues == 0)
+  {
+    without("Nothing is drawn, as there is no iso-value for blend mode iso-surface: call "
+            "GetIsoSurfaceValues()->SetValue() of the volume property.");
+  }
   if (mode != vtkVolumeMapper::COMPOSITE_BLEND && hasGradientOpacity(property))
   {
     without(describeGradientOpacityElsewhere());

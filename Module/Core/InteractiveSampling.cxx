@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/InteractiveSampling.h"
 
-#include "Core/PredictedRays.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,9 +23,9 @@ constexpr double LeastPartOfMarching = 0.2;
 double mean(double before, double last) { return before + PartOfLast * (last - before); }
 }
 
-int thinnedSize(int pixels, double distance)
+int thinnedSize(int pixels, double imageSampleDistance)
 {
-  return std::max(1, static_cast<int>(std::lround(pixels / distance)));
+  return std::max(1, static_cast<int>(std::lround(pixels / imageSampleDistance)));
 }
 
 void InteractiveSampling::measured(
@@ -42,31 +40,21 @@ void InteractiveSampling::measured(
   this->SecondsPerRay = this->SecondsPerRay ? mean(*this->SecondsPerRay, perRay) : perRay;
 }
 
-Coarseness InteractiveSampling::choose(
-  double seconds, double pixels, const Limits& limits, bool predicts) const
+Coarseness InteractiveSampling::choose(double seconds, double pixels, const Limits& limits) const
 {
   const double most = std::max(limits.least, limits.most);
-  Coarseness chosen;
-  chosen.imageSampleDistance = most;
-  if (this->SecondsPerRay)
+  if (!this->SecondsPerRay)
   {
-    const double allowed = std::max(seconds - this->Other, LeastPartOfMarching * seconds);
-    const double wanted = std::sqrt(pixels * *this->SecondsPerRay / std::max(allowed, 1e-9));
-    chosen.imageSampleDistance = std::clamp(wanted, limits.least, most);
-    if (wanted > most)
-    {
-      const double speed = wanted * wanted / (most * most);
-      chosen.stepGrowth = std::min(std::exp2((speed - 1.0) / 0.3), GreatestGrowth);
-    }
+    return { most, 1.0 };
   }
-  chosen.pixelDistance = chosen.imageSampleDistance;
-  const double rays = pixels / (chosen.imageSampleDistance * chosen.imageSampleDistance);
-  const double all = pixels / (limits.least * limits.least);
-  const double filled = MostPixelsPerRay * rays >= all ? all : PixelsPerRay * rays;
-  if (predicts && chosen.imageSampleDistance > limits.least && filled >= 0.25 * FewestPixels)
+  const double allowed = std::max(seconds - this->Other, LeastPartOfMarching * seconds);
+  const double wanted = std::sqrt(pixels * *this->SecondsPerRay / std::max(allowed, 1e-9));
+  Coarseness chosen;
+  chosen.imageSampleDistance = std::clamp(wanted, limits.least, most);
+  if (wanted > most)
   {
-    chosen.pixelDistance = std::sqrt(pixels / filled);
-    chosen.rays = rays;
+    const double speed = wanted * wanted / (most * most);
+    chosen.stepGrowth = std::min(std::exp2((speed - 1.0) / 0.3), GreatestGrowth);
   }
   return chosen;
 }

@@ -3,8 +3,7 @@
 //
 // Rays are thinned first: measured on scenes of 10^6 and 10^7 cells, 1 of 16 or 36 pixels, filled
 // in from their neighbours, is nearer to the full picture than all of them with steps that take as
-// long; and nearer yet if there are more of them where the picture changes most (PredictedRays).
-// Where they are as thin as may be, steps grow.
+// long. Where they are as thin as may be, steps grow.
 #ifndef ExaBricksCoreInteractiveSampling_h
 #define ExaBricksCoreInteractiveSampling_h
 
@@ -15,16 +14,12 @@ namespace exabricks
 /// How much less is drawn than of a full picture.
 struct Coarseness
 {
-  double imageSampleDistance = 1.0; // of two rays in the mean, along each axis, pixels
+  double imageSampleDistance = 1.0; // of two rays, along each axis of the picture, pixels
   double stepGrowth = 1.0;          // by which steps between samples are multiplied
-  /// Of two pixels of the picture that is filled in, and how many of them have rays, while others
-  /// are predicted from these; 0: all.
-  double pixelDistance = 1.0;
-  double rays = 0.0;
 };
 
-/// A number of pixels along an axis, so far from each other; one at least.
-int thinnedSize(int pixels, double distance);
+/// A number of pixels along an axis, with rays so far from each other; one at least.
+int thinnedSize(int pixels, double imageSampleDistance);
 
 class InteractiveSampling
 {
@@ -43,8 +38,8 @@ public:
   bool knows() const { return this->SecondsPerRay.has_value(); }
 
   /// With which a picture of so many pixels takes about `seconds`, by what the last ones took. As
-  /// coarse as `limits` allow, if nothing was measured. `predicts`: pixels may be predicted.
-  Coarseness choose(double seconds, double pixels, const Limits& limits, bool predicts) const;
+  /// coarse as `limits` allow, if nothing was measured.
+  Coarseness choose(double seconds, double pixels, const Limits& limits) const;
 
 private:
   std::optional<double> SecondsPerRay; // with steps that have not grown

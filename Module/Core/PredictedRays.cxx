@@ -10,44 +10,25 @@ namespace exabricks
 {
 namespace
 {
+constexpr double FewestPixels = 40000.0; // of a picture that keeps a tolerance
 constexpr double Blocks = 4000.0;
 constexpr int FewestDrawn = 200; // of checked pixels
 // Of the tolerance: longer steps save less than fewer rays.
 constexpr double ShareOfPredictions = 0.7;
 
-constexpr double ChecksPerRay = 1.0 / 20.0; // where rays are limited
-constexpr float LeastEstimate = 1e-20f;     // above that of what looks empty
-
-bool keepsTolerance(const Quality& quality, double pixels)
+bool mayPredict(const Quality& quality, double pixels)
 {
   return quality.errorTolerance > 0.0 && quality.reconstruction != Reconstruction::Nearest &&
     !quality.jittered && pixels >= FewestPixels;
 }
-
-void sortByEstimate(std::vector<layout::RayCheck>& checks)
-{
-  std::sort(checks.begin(), checks.end(),
-    [](const layout::RayCheck& a, const layout::RayCheck& b) { return a.estimate < b.estimate; });
-}
 }
 
-PredictionLimits limitPredictions(const View& view)
+double toleranceOfPredictions(const View& view)
 {
   const double pixels = static_cast<double>(view.target.width) * view.target.height;
-  PredictionLimits limits;
-  if (view.target.whole || view.quality.jittered)
-  {
-    return limits;
-  }
-  if (keepsTolerance(view.quality, pixels))
-  {
-    limits.tolerance = ShareOfPredictions * view.quality.errorTolerance;
-  }
-  if (pixels >= 0.25 * FewestPixels && view.quality.rays < pixels)
-  {
-    limits.rays = view.quality.rays;
-  }
-  return limits;
+  return !view.target.whole && !view.target.nearDepth && mayPredict(view.quality, pixels)
+    ? ShareOfPredictions * view.quality.errorTolerance
+    : 0.0;
 }
 
 double toleranceOfSteps(const View& view)
@@ -55,7 +36,7 @@ double toleranceOfSteps(const View& view)
   const double pixels = view.target.whole
     ? static_cast<double>(view.target.whole->width) * view.target.whole->height
     : static_cast<double>(view.target.width) * view.target.height;
-  return keepsTolerance(view.quality, pixels)
+  return mayPredict(view.quality, pixels)
     ? std::sqrt(1.0 - ShareOfPredictions * ShareOfPredictions) * view.quality.errorTolerance
     : view.quality.errorTolerance;
 }
@@ -82,17 +63,18 @@ std::vector<std::uint32_t> listCheckedPixels(
   return pixels;
 }
 
-std::uint32_t sideOfBlocks(
-  std::uint32_t width, std::uint32_t height, std::uint32_t spacing, double rays)
+std::uint32_t sideOfBlocks(std::uint32_t width, std::uint32_t height, std::uint32_t spacing)
 {
-  const double places = static_cast<double>(width) * height / spacing / spacing;
-  const double blocks = rays > 0.0 ? std::min(Blocks, ChecksPerRay * rays) : Blocks;
-  return std::max(1u, static_cast<std::uint32_t>(std::sqrt(places / blocks)));
+  const double columns = std::ceil(static_cast<double>(width) / spacing);
+  const double rows = std::ceil(static_cast<double>(height) / spacing);
+  const double side = std::round(std::sqrt(columns * rows / Blocks));
+  return static_cast<std::uint32_t>(std::clamp(side, 1.0, std::min(columns, rows)));
 }
 
 float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool isLastGrid)
 {
-  sortByEstimate(checks);
+  std::sort(checks.begin(), checks.end(),
+    [](const layout::RayCheck& a, const layout::RayCheck& b) { return a.estimate < b.estimate; });
   const auto drawn = std::count_if(
     checks.begin(), checks.end(), [](const layout::RayCheck& check) { return check.drawn != 0; });
   if (drawn < FewestDrawn)
@@ -106,18 +88,9 @@ float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool
     left -= check.drawn != 0 ? static_cast<double>(check.squares) : 0.0;
     if (!(left >= 0.0))
     {
-      return check.estimate;
+      return std::min(check.estimate, layout::UNPREDICTABLE);
     }
   }
   return layout::UNPREDICTABLE;
-}
-
-float findThresholdOfShare(std::vector<layout::RayCheck> checks, double share)
-{
-  sortByEstimate(checks);
-  const double count = static_cast<double>(checks.size());
-  const auto stand = static_cast<std::size_t>(std::clamp(1.0 - share, 0.0, 1.0) * count);
-  return stand < checks.size() ? std::max(checks[stand].estimate, LeastEstimate)
-                               : layout::UNPREDICTABLE;
 }
 }

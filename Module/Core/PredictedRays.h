@@ -17,29 +17,15 @@ namespace exabricks
 /// of all of them follow.
 constexpr int FirstSpacing = 4;
 
-/// The pixels of a picture that has so many rays, of which FirstSpacing's grid takes half of them;
-/// and at most, where the picture need not be filled in for it, which blurs what is sharp.
-constexpr double PixelsPerRay = 8.0;
-constexpr double MostPixelsPerRay = 12.0;
-/// Of a picture with fewer pixels none is predicted, as checks would be most of it; where its rays
-/// are limited, of one with a quarter of them.
-constexpr double FewestPixels = 40000.0;
+/// What predictions of the view's picture may err by, as a root mean square over the channels of
+/// its drawn pixels; 0: all pixels are marched. So are those of pictures of less than 40 000
+/// pixels, where checks would be most of it; of parts of a picture, which would be predicted
+/// otherwise than the next part; and where samples are jittered, as noise tells nothing of its
+/// neighbours.
+double toleranceOfPredictions(const View& view);
 
-/// Why pixels are marched that could be predicted.
-struct PredictionLimits
-{
-  double tolerance = 0.0; // what predictions may err by; 0: whatever they err by
-  double rays = 0.0;      // about so many pixels are marched; 0: as many as the tolerance takes
-
-  bool any() const { return this->tolerance > 0.0 || this->rays > 0.0; }
-};
-
-/// Of a view's picture; none: all pixels are marched. So are those of a part of a picture, which
-/// would be predicted otherwise than the next part.
-PredictionLimits limitPredictions(const View& view);
-
-/// What is left of the view's error tolerance for steps and levels, beside predictions. The same
-/// for all parts of a picture.
+/// What is left of the view's error tolerance for steps and levels, beside predictions. All parts
+/// of a picture have the steps of the whole, and err by less, as they have all rays.
 double toleranceOfSteps(const View& view);
 
 /// Pixels of the grid of `spacing` that have rays to check predictions by, x + width * y: one in
@@ -47,18 +33,14 @@ double toleranceOfSteps(const View& view);
 std::vector<std::uint32_t> listCheckedPixels(
   std::uint32_t width, std::uint32_t height, std::uint32_t spacing, std::uint32_t side);
 
-/// Blocks of this side have about as many checked pixels as it takes. `rays`: of the limits.
-std::uint32_t sideOfBlocks(
-  std::uint32_t width, std::uint32_t height, std::uint32_t spacing, double rays);
+/// Blocks of this side have about as many checked pixels as it takes.
+std::uint32_t sideOfBlocks(std::uint32_t width, std::uint32_t height, std::uint32_t spacing);
 
 /// Predictions stand whose estimate is below: so many that they err together by `tolerance`, as a
 /// root mean square over the channels of the drawn pixels, or by half of it on the grids before the
 /// last one, of which others are predicted. 0: none stands, as where fewer than 200 of the checked
 /// pixels are drawn, which tell nothing: all is small then, and most rays pass it by.
 float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool isLastGrid);
-
-/// The same, so that a share of the pixels is marched, but none that looks empty.
-float findThresholdOfShare(std::vector<layout::RayCheck> checks, double share);
 }
 
 #endif

@@ -74,9 +74,6 @@ struct Quality
   /// was chosen last for the errorTolerance holds for this view too.
   double stepGrowth = 1.0;
   bool keepsSampling = false;
-  /// About so many of the pixels are marched, where the picture changes most, and the others are
-  /// predicted from them; 0: as many as it takes.
-  double rays = 0.0;
 };
 
 struct View
@@ -157,9 +154,9 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity &&
     a.quality.stepGrowth == b.quality.stepGrowth &&
-    a.quality.keepsSampling == b.quality.keepsSampling && a.quality.rays == b.quality.rays &&
-    a.cutaway == b.cutaway && a.opacityUnitDistance == b.opacityUnitDistance &&
-    a.blending == b.blending && a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
+    a.quality.keepsSampling == b.quality.keepsSampling && a.cutaway == b.cutaway &&
+    a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
+    a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
     a.slicePlane == b.slicePlane && a.undefinedColor == b.undefinedColor &&
     a.lighting == b.lighting;
 }

@@ -25,16 +25,18 @@ PictureJob::PictureJob(std::shared_ptr<Device> device)
 }
 
 void PictureJob::begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
-  const PredictionLimits& limits)
+  double predictionTolerance)
 {
   this->Pass = pass;
   this->Width = static_cast<std::uint32_t>(target.width);
   this->Height = static_cast<std::uint32_t>(target.height);
-  this->Predicts = limits.any();
+  this->Predicts = predictionTolerance > 0.0;
   this->Next = Stage::Grid;
   this->Spacing = this->Predicts ? FirstSpacing : 1;
   this->NextRow = 0;
+  this->NextOfList = 0;
   this->Rays = 0;
+  this->Predicted = 0;
   const vk::DeviceSize pixels = vk::DeviceSize(this->Width) * this->Height;
   this->Picture.reserve(this->Owner, pixels * sizeof(glm::vec4),
     Purpose::ofPicture("the picture", target.width, target.height));
@@ -61,7 +63,7 @@ void PictureJob::begin(const layout::Frame& frame, const Target& target, const M
     {
       this->Refinement = std::make_unique<RayRefinement>(this->Owner);
     }
-    this->Refinement->begin(constants, limits);
+    this->Refinement->begin(constants, predictionTolerance);
   }
 }
 
@@ -132,48 +134,68 @@ void PictureJob::MarchRows()
   }
 }
 
+std::uint32_t PictureJob::CountOfPiece(std::uint32_t all) const
+{
+  return std::min(all - this->NextOfList,
+    static_cast<std::uint32_t>(std::clamp<double>(this->WantedPixels(), 64.0, 1e9)));
+}
+
 void PictureJob::MarchChecks()
 {
-  this->Refinement->listChecks();
-  const std::uint32_t count = this->Refinement->listed();
-  const Stopwatch watch;
-  this->Owner->submit(
-    [&](const vk::raii::CommandBuffer& commands)
-    {
-      this->Refinement->recordList(commands);
-      this->RecordList(commands, 0, count);
-      this->Refinement->recordChecks(commands);
-    });
-  this->Took(watch.seconds(), count);
-  this->Refinement->takeChecks();
-  this->Next = Stage::Predict;
+  const std::uint32_t all = this->Refinement->checks();
+  const std::uint32_t count = this->CountOfPiece(all);
+  const bool last = this->NextOfList + count == all;
+  if (count > 0)
+  {
+    const Stopwatch watch;
+    this->Owner->submit(
+      [&](const vk::raii::CommandBuffer& commands)
+      {
+        if (this->NextOfList == 0)
+        {
+          this->Refinement->recordCheckList(commands);
+        }
+        this->RecordList(commands, this->Refinement->checkList(), this->NextOfList, count);
+        if (last)
+        {
+          this->Refinement->recordChecks(commands);
+        }
+      });
+    this->Took(watch.seconds(), count);
+    this->NextOfList += count;
+  }
+  if (last)
+  {
+    this->Refinement->takeChecks();
+    this->NextOfList = 0;
+    this->Next = Stage::Predict;
+  }
 }
 
 void PictureJob::PredictPixels()
 {
   this->Owner->submit(
     [&](const vk::raii::CommandBuffer& commands) { this->Refinement->recordPrediction(commands); });
-  this->Refinement->takeList();
-  this->NextOfList = 0;
+  this->Refinement->takePrediction();
+  this->Predicted += this->Refinement->predicted();
   this->Next = Stage::List;
 }
 
 void PictureJob::MarchList()
 {
-  const std::uint32_t left = this->Refinement->listed() - this->NextOfList;
-  const auto count =
-    static_cast<std::uint32_t>(std::clamp<double>(this->WantedPixels(), 64.0, 1e9));
-  if (left > 0)
+  const std::uint32_t all = this->Refinement->remaining();
+  const std::uint32_t count = this->CountOfPiece(all);
+  if (count > 0)
   {
-    const std::uint32_t taken = std::min(left, count);
     const Stopwatch watch;
     this->Owner->submit([&](const vk::raii::CommandBuffer& commands)
-      { this->RecordList(commands, this->NextOfList, taken); });
-    this->Took(watch.seconds(), taken);
-    this->NextOfList += taken;
+      { this->RecordList(commands, this->Refinement->remainingList(), this->NextOfList, count); });
+    this->Took(watch.seconds(), count);
+    this->NextOfList += count;
   }
-  if (this->NextOfList == this->Refinement->listed())
+  if (this->NextOfList == all)
   {
+    this->NextOfList = 0;
     this->Next = this->Refinement->goOn() ? Stage::Check : Stage::Fetch;
   }
 }
@@ -204,13 +226,13 @@ void PictureJob::RecordPicture(const vk::raii::CommandBuffer& commands) const
   this->Picture.record(commands, vk::DeviceSize(this->Width) * this->Height * sizeof(glm::vec4));
 }
 
-void PictureJob::RecordList(
-  const vk::raii::CommandBuffer& commands, std::uint32_t first, std::uint32_t count) const
+void PictureJob::RecordList(const vk::raii::CommandBuffer& commands, vk::DeviceAddress list,
+  std::uint32_t first, std::uint32_t count) const
 {
   layout::Band band{};
   band.frame = this->Constants.address();
   band.counter = this->Counters.address(0);
-  band.pixels = this->Refinement->list();
+  band.pixels = list;
   band.firstRow = first;
   band.count = count;
   if (this->Pass.takesPixels)
@@ -226,17 +248,19 @@ void PictureJob::RecordList(
 
 void PictureJob::Took(double seconds, double pixels)
 {
-  const double rate = pixels / std::max(seconds, 1e-6);
-  this->PixelsPerSecond = std::min(rate, GreatestGrowth * this->PixelsPerSecond);
   this->Rays += static_cast<std::size_t>(pixels);
+  const double rate = pixels / std::max(seconds, 1e-6);
+  // What a small piece takes is not its pixels' time alone.
+  if (rate > this->PixelsPerSecond || pixels >= 0.5 * this->WantedPixels())
+  {
+    this->PixelsPerSecond = std::min(rate, GreatestGrowth * this->PixelsPerSecond);
+  }
 }
 
 double PictureJob::progress() const
 {
   const double all = static_cast<double>(this->Width) * this->Height;
-  return this->Next == Stage::Done || !(all > 0.0)
-    ? 1.0
-    : std::min(static_cast<double>(this->Rays) / all, 1.0);
+  return all > 0.0 ? static_cast<double>(this->Rays + this->Predicted) / all : 1.0;
 }
 
 const glm::vec4* PictureJob::pixels() const

@@ -18,10 +18,11 @@ public:
   explicit PictureJob(std::shared_ptr<Device> device);
 
   /// `frame` comes with all that concerns volume, transfer function and view (fillView()). The
-  /// target's depths are read before it returns. `limits`: with any, pixels are predicted from
-  /// others. Throws PictureFailure, where there is no memory for a picture of that size.
+  /// target's depths are read before it returns. `predictionTolerance`: what pixels may err by
+  /// that are predicted from others (PredictedRays); 0: all are marched. Throws PictureFailure,
+  /// where there is no memory for a picture of that size.
   void begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
-    const PredictionLimits& limits = {});
+    double predictionTolerance = 0.0);
 
   /// Marches the next pixels, so many that it takes about PieceSeconds by what the last ones took:
   /// a GPU that also drives a display must not be kept for long, and whoever waits may want to
@@ -55,9 +56,11 @@ private:
   double WantedPixels() const { return PieceSeconds * this->PixelsPerSecond; }
   void RecordInputs(const vk::raii::CommandBuffer& commands) const;
   void RecordPicture(const vk::raii::CommandBuffer& commands) const;
-  /// So many of the listed pixels, from the first one on.
-  void RecordList(
-    const vk::raii::CommandBuffer& commands, std::uint32_t first, std::uint32_t count) const;
+  /// So many pixels of a list, from the first one on.
+  void RecordList(const vk::raii::CommandBuffer& commands, vk::DeviceAddress list,
+    std::uint32_t first, std::uint32_t count) const;
+  /// How many of a list's pixels are in the next piece.
+  std::uint32_t CountOfPiece(std::uint32_t all) const;
   void Took(double seconds, double pixels);
 
   std::shared_ptr<Device> Owner;
@@ -78,6 +81,7 @@ private:
   std::uint32_t NextRow = 0; // of it
   std::uint32_t NextOfList = 0;
   std::size_t Rays = 0;
+  std::size_t Predicted = 0;
   double PixelsPerSecond = 2e6; // of the last piece, of this picture or the one before
 };
 }

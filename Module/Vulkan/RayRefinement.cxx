@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/RayRefinement.h"
 
-#include "CheckPredictionsInt64Spirv.h"
 #include "CheckPredictionsSpirv.h"
-#include "PredictPixelsInt64Spirv.h"
 #include "PredictPixelsSpirv.h"
 
 #include <algorithm>
@@ -17,10 +15,6 @@ namespace
 {
 constexpr std::uint32_t ChecksOfGroup = 64; // local_size of CheckPredictions.comp
 constexpr std::uint32_t SideOfGroup = 8;    // and of PredictPixels.comp
-// Of the depths that bracket the bounds: where a ray ends as far from where those of its neighbours
-// do, geometry has an edge.
-constexpr float BendOfEdge = 1.0f / 256.0f;
-
 std::uint32_t groups(std::uint32_t items, std::uint32_t ofGroup)
 {
   return (items + ofGroup - 1) / ofGroup;
@@ -34,14 +28,8 @@ RayRefinement::RayRefinement(std::shared_ptr<Device> device)
     vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Refinement));
   this->Layout =
     vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
-  const bool int64 = this->Owner->hasInt64();
-  this->Check = this->MakePipeline(int64
-      ? vk::ShaderModuleCreateInfo(
-          {}, sizeof(CheckPredictionsInt64Spirv), CheckPredictionsInt64Spirv)
-      : vk::ShaderModuleCreateInfo({}, sizeof(CheckPredictionsSpirv), CheckPredictionsSpirv));
-  this->Predict = this->MakePipeline(int64
-      ? vk::ShaderModuleCreateInfo({}, sizeof(PredictPixelsInt64Spirv), PredictPixelsInt64Spirv)
-      : vk::ShaderModuleCreateInfo({}, sizeof(PredictPixelsSpirv), PredictPixelsSpirv));
+  this->Check = this->MakePipeline({ {}, sizeof(CheckPredictionsSpirv), CheckPredictionsSpirv });
+  this->Predict = this->MakePipeline({ {}, sizeof(PredictPixelsSpirv), PredictPixelsSpirv });
   this->Count.reserve(this->Owner, sizeof(std::uint32_t), "the number of pixels to march");
 }
 
@@ -54,46 +42,41 @@ vk::raii::Pipeline RayRefinement::MakePipeline(const vk::ShaderModuleCreateInfo&
     vk::ComputePipelineCreateInfo({}, stage, *this->Layout) };
 }
 
-void RayRefinement::begin(const layout::Frame& frame, const PredictionLimits& limits)
+void RayRefinement::begin(const layout::Frame& frame, double tolerance)
 {
   this->Frame = frame;
-  this->Limits = limits;
-  this->Marched =
-    static_cast<double>(groups(frame.width, FirstSpacing)) * groups(frame.height, FirstSpacing);
+  this->Tolerance = tolerance;
   this->Spacing = FirstSpacing / 2;
   const vk::DeviceSize bytes = vk::DeviceSize(frame.width) * frame.height * sizeof(std::uint32_t);
-  if (this->ToMarch.bytes() < bytes)
+  if (this->Remaining.bytes() < bytes)
   {
-    this->ToMarch = Buffer();
-    this->ToMarch = Buffer(this->Owner, bytes, Residence::Device,
+    this->Remaining = Buffer();
+    this->Remaining = Buffer(this->Owner, bytes, Residence::Device,
       Purpose::ofPicture(
         "the pixels to march", static_cast<int>(frame.width), static_cast<int>(frame.height)));
   }
+  this->ListChecks();
 }
 
-vk::DeviceAddress RayRefinement::list() const
+void RayRefinement::ListChecks()
 {
-  return this->Checking ? this->Checked.address() : this->ToMarch.address();
-}
-
-void RayRefinement::listChecks()
-{
-  this->Side =
-    sideOfBlocks(this->Frame.width, this->Frame.height, this->Spacing, this->Limits.rays);
+  this->Side = sideOfBlocks(this->Frame.width, this->Frame.height, this->Spacing);
   const std::vector<std::uint32_t> pixels =
     listCheckedPixels(this->Frame.width, this->Frame.height, this->Spacing, this->Side);
-  this->Listed = static_cast<std::uint32_t>(pixels.size());
-  this->Checked.reserve(
-    this->Owner, pixels.size() * sizeof(pixels[0]), "pixels to check predictions by");
-  this->Checks.reserve(
-    this->Owner, pixels.size() * sizeof(layout::RayCheck), "the errors of predictions");
-  std::memcpy(this->Checked.data(), pixels.data(), pixels.size() * sizeof(pixels[0]));
-  this->Checking = true;
+  this->CheckCount = static_cast<std::uint32_t>(pixels.size());
+  if (!pixels.empty())
+  {
+    this->Checked.reserve(
+      this->Owner, pixels.size() * sizeof(pixels[0]), "pixels to check predictions by");
+    this->Checks.reserve(
+      this->Owner, pixels.size() * sizeof(layout::RayCheck), "the errors of predictions");
+    std::memcpy(this->Checked.data(), pixels.data(), pixels.size() * sizeof(pixels[0]));
+  }
 }
 
-void RayRefinement::recordList(const vk::raii::CommandBuffer& commands) const
+void RayRefinement::recordCheckList(const vk::raii::CommandBuffer& commands) const
 {
-  this->Checked.record(commands, this->Listed * sizeof(std::uint32_t));
+  this->Checked.record(commands, this->CheckCount * sizeof(std::uint32_t));
 }
 
 void RayRefinement::recordChecks(const vk::raii::CommandBuffer& commands) const
@@ -105,39 +88,34 @@ void RayRefinement::recordChecks(const vk::raii::CommandBuffer& commands) const
   layout::Refinement constants = this->MakeConstants();
   constants.pixels = this->Checked.address();
   constants.results = this->Checks.address();
-  constants.checks = this->Listed;
-  this->Record(commands, this->Check, constants, groups(this->Listed, ChecksOfGroup), 1);
-  this->Checks.record(commands, this->Listed * sizeof(layout::RayCheck));
+  constants.checks = this->CheckCount;
+  this->Record(commands, this->Check, constants, groups(this->CheckCount, ChecksOfGroup), 1);
+  this->Checks.record(commands, this->CheckCount * sizeof(layout::RayCheck));
 }
 
 void RayRefinement::takeChecks()
 {
-  const auto* const all = static_cast<const layout::RayCheck*>(this->Checks.data());
-  const std::vector<layout::RayCheck> checks(all, all + this->Listed);
-  this->Marched += this->Listed;
-  this->Threshold = this->Limits.tolerance > 0.0
-    ? findThreshold(checks, this->Limits.tolerance, this->Spacing == 1)
-    : 0.0f;
-  if (this->Limits.rays > 0.0)
+  std::vector<layout::RayCheck> checks(this->CheckCount);
+  if (!checks.empty())
   {
-    this->Threshold = std::max(this->Threshold, findThresholdOfShare(checks, this->FindShare()));
+    std::memcpy(checks.data(), this->Checks.data(), checks.size() * sizeof(checks[0]));
   }
+  this->Threshold = findThreshold(std::move(checks), this->Tolerance, this->Spacing == 1);
 }
 
-double RayRefinement::FindShare() const
+// Pixels that the grid adds to the one before.
+std::uint32_t RayRefinement::Places() const
 {
-  const double left = std::max(this->Limits.rays - this->Marched, 0.0);
-  const double now = this->Spacing == 1 ? left : 0.5 * left;
-  const double places = static_cast<double>(groups(this->Frame.width, this->Spacing)) *
-    groups(this->Frame.height, this->Spacing);
-  return now / std::max(0.75 * places - this->Listed, 1.0);
+  const auto places = [&](std::uint32_t spacing)
+  { return groups(this->Frame.width, spacing) * groups(this->Frame.height, spacing); };
+  return places(this->Spacing) - places(2 * this->Spacing);
 }
 
 void RayRefinement::recordPrediction(const vk::raii::CommandBuffer& commands) const
 {
   this->Count.clear(commands);
   layout::Refinement constants = this->MakeConstants();
-  constants.pixels = this->ToMarch.address();
+  constants.pixels = this->Remaining.address();
   constants.results = this->Count.address();
   constants.threshold = this->Threshold;
   // An invocation predicts the three places around a known one.
@@ -147,11 +125,10 @@ void RayRefinement::recordPrediction(const vk::raii::CommandBuffer& commands) co
   this->Count.record(commands, sizeof(std::uint32_t));
 }
 
-void RayRefinement::takeList()
+void RayRefinement::takePrediction()
 {
-  std::memcpy(&this->Listed, this->Count.data(), sizeof(this->Listed));
-  this->Checking = false;
-  this->Marched += this->Listed;
+  std::memcpy(&this->RemainingCount, this->Count.data(), sizeof(this->RemainingCount));
+  this->PredictedCount = this->Places() - this->CheckCount - this->RemainingCount;
 }
 
 bool RayRefinement::goOn()
@@ -161,6 +138,7 @@ bool RayRefinement::goOn()
     return false;
   }
   this->Spacing /= 2;
+  this->ListChecks();
   return true;
 }
 
@@ -174,8 +152,10 @@ layout::Refinement RayRefinement::MakeConstants() const
   constants.spacing = this->Spacing;
   constants.side = this->Side;
   constants.hasDepth = this->Frame.hasDepth;
-  // Window depths are half of normalised device coordinates.
-  constants.greatestBend = BendOfEdge * 0.5f / this->Frame.inverseDepths.high;
+  constants.firstDepth = this->Frame.firstDepth.high;
+  constants.inverseDepths = this->Frame.inverseDepths.high;
+  constants.firstW = this->Frame.first.high.w;
+  constants.secondW = this->Frame.second.high.w;
   return constants;
 }
 

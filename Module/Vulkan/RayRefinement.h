@@ -16,32 +16,34 @@ class RayRefinement
 public:
   explicit RayRefinement(std::shared_ptr<Device> device);
 
-  /// A picture whose pixels at every FirstSpacing-th place are marched, by `frame`. Throws
-  /// PictureFailure, where there is no memory for the list.
-  void begin(const layout::Frame& frame, const PredictionLimits& limits);
+  /// A picture whose pixels at every FirstSpacing-th place are marched, by `frame`, so that
+  /// predictions err by `tolerance`. Throws PictureFailure, where there is no memory for the list.
+  void begin(const layout::Frame& frame, double tolerance);
 
-  /// Of the present grid: pixels, their number and the list's device address.
-  std::uint32_t listed() const { return this->Listed; }
-  vk::DeviceAddress list() const;
-
-  /// Lists the pixels that are marched to check predictions by.
-  void listChecks();
-  /// Before they are marched, and after it.
-  void recordList(const vk::raii::CommandBuffer& commands) const;
+  /// Of the present grid, the pixels that are marched to check predictions by: their number, which
+  /// may be 0, and the device address of their list.
+  std::uint32_t checks() const { return this->CheckCount; }
+  vk::DeviceAddress checkList() const { return this->Checked.address(); }
+  /// Before the first of them is marched.
+  void recordCheckList(const vk::raii::CommandBuffer& commands) const;
+  /// When all of them are, and when that is done.
   void recordChecks(const vk::raii::CommandBuffer& commands) const;
-  /// When that is done.
   void takeChecks();
 
-  /// Predicts pixels, and lists those that are to be marched, for takeList().
+  /// Predicts the others, and when that is done: those that were predicted, and those that are to
+  /// be marched.
   void recordPrediction(const vk::raii::CommandBuffer& commands) const;
-  void takeList();
+  void takePrediction();
+  std::uint32_t predicted() const { return this->PredictedCount; }
+  std::uint32_t remaining() const { return this->RemainingCount; }
+  vk::DeviceAddress remainingList() const { return this->Remaining.address(); }
 
-  /// When the listed pixels have been marched. False: that was the last grid.
+  /// When these have been marched. False: that was the last grid.
   bool goOn();
 
 private:
-  /// Of the pixels that the present grid adds, but for checked ones, what may be marched.
-  double FindShare() const;
+  void ListChecks();
+  std::uint32_t Places() const;
   vk::raii::Pipeline MakePipeline(const vk::ShaderModuleCreateInfo& code) const;
   layout::Refinement MakeConstants() const;
   void Record(const vk::raii::CommandBuffer& commands, const vk::raii::Pipeline& pipeline,
@@ -52,17 +54,17 @@ private:
   vk::raii::Pipeline Check = nullptr;   // Shaders/CheckPredictions.comp
   vk::raii::Pipeline Predict = nullptr; // Shaders/PredictPixels.comp
   layout::Frame Frame{};                // the picture's
-  PredictionLimits Limits;
-  double Marched = 0.0;      // pixels so far
+  double Tolerance = 0.0;
   std::uint32_t Spacing = 1; // of the grid
   std::uint32_t Side = 1;    // of its blocks
   float Threshold = 0.0f;
   Input Checked; // list
   Output Checks;
-  Buffer ToMarch; // list
-  Output Count;
-  bool Checking = false; // which of both is listed
-  std::uint32_t Listed = 0;
+  Buffer Remaining; // list
+  Output Count;     // of them
+  std::uint32_t CheckCount = 0;
+  std::uint32_t PredictedCount = 0;
+  std::uint32_t RemainingCount = 0;
 };
 }
 }

@@ -4,6 +4,7 @@
 #include "Core/PredictedRays.h"
 #include "Core/Stopwatch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace exabricks
@@ -14,8 +15,8 @@ namespace
 {
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
 // show anything.
-constexpr double FewestPixels = 1500.0;
-constexpr double MostPixels = 200000.0;
+constexpr double FirstPixels = 1500.0;
+constexpr double MostPixels = 192000.0;
 constexpr double StepScaleOfLittle = 0.25; // where no error can be told
 
 View wholeOf(View view)
@@ -49,7 +50,7 @@ Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const Mak
   const Stopwatch watch;
   const double all = static_cast<double>(view.target.width) * view.target.height;
   std::optional<Sampling> sampling;
-  for (double pixels = FewestPixels; !sampling; pixels *= 8.0)
+  for (double pixels = FirstPixels; !sampling; pixels = std::min(8.0 * pixels, MostPixels))
   {
     sampling = this->FindFrom(view, pixels, pass, makeFrame);
     if (!sampling && pixels >= std::min(all, MostPixels))

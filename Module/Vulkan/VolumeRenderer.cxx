@@ -360,7 +360,7 @@ struct VolumeRenderer::Internals
       this->Job = std::make_unique<vulkan::PictureJob>(this->Session.device());
     }
     this->Job->begin(this->MakeFrame(level, view), view.target,
-      this->FindPass(view, view.target.nearDepth != nullptr), limitPredictions(view));
+      this->FindPass(view, view.target.nearDepth != nullptr), toleranceOfPredictions(view));
     while (this->Job->march())
     {
       if (progress && !progress(this->Job->progress()))

@@ -2,6 +2,8 @@
 // As many pixels are predicted as the error allows, by what is measured on some of them.
 #include "Core/PredictedRays.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -43,39 +45,29 @@ double meanError(const std::vector<layout::RayCheck>& checks, float threshold)
 
 TEST(PredictedRays, WhereAnErrorIsAskedFor)
 {
-  EXPECT_GT(limitPredictions(makeView(400, 300, 0.01)).tolerance, 0.0);
-  EXPECT_FALSE(limitPredictions(makeView(400, 300, 0.0)).any());
-  EXPECT_FALSE(limitPredictions(makeView(100, 100, 0.01)).any()); // checks would be most of it
+  EXPECT_GT(toleranceOfPredictions(makeView(400, 300, 0.01)), 0.0);
+  EXPECT_EQ(toleranceOfPredictions(makeView(400, 300, 0.0)), 0.0);
+  EXPECT_EQ(toleranceOfPredictions(makeView(100, 100, 0.01)), 0.0); // checks would be most of it
   View view = makeView(400, 300, 0.01);
   view.quality.reconstruction = Reconstruction::Nearest; // is exact
-  EXPECT_FALSE(limitPredictions(view).any());
+  EXPECT_EQ(toleranceOfPredictions(view), 0.0);
   view = makeView(400, 300, 0.01);
-  view.quality.jittered = true; // noise says nothing of its neighbours
-  EXPECT_FALSE(limitPredictions(view).any());
-}
-
-TEST(PredictedRays, WhereRaysAreLimited)
-{
-  View view = makeView(400, 300, 0.0);
-  view.quality.rays = 20000.0;
-  view.quality.reconstruction = Reconstruction::Nearest; // in a hurry its pictures too
-  EXPECT_EQ(limitPredictions(view).rays, 20000.0);
-  EXPECT_EQ(limitPredictions(view).tolerance, 0.0);
-  view.quality.rays = 400 * 300; // there are not more
-  EXPECT_FALSE(limitPredictions(view).any());
-  view = makeView(90, 90, 0.0);
-  view.quality.rays = 2000.0;
-  EXPECT_FALSE(limitPredictions(view).any());
+  const std::vector<float> depth(400 * 300, 0.5f);
+  view.target.nearDepth = depth.data(); // edges of which are not looked for
+  EXPECT_EQ(toleranceOfPredictions(view), 0.0);
+  view = makeView(400, 300, 0.01);
+  view.quality.jittered = true; // noise tells nothing of its neighbours
+  EXPECT_EQ(toleranceOfPredictions(view), 0.0);
 }
 
 TEST(PredictedRays, NotInPartsWhichHaveTheStepsOfTheWhole)
 {
   const View whole = makeView(400, 300, 0.01);
   const View part = cropTo(whole, 10, 20, 100, 100);
-  EXPECT_FALSE(limitPredictions(part).any());
+  EXPECT_EQ(toleranceOfPredictions(part), 0.0);
   EXPECT_EQ(toleranceOfSteps(part), toleranceOfSteps(whole));
   // Squares of errors add up.
-  EXPECT_NEAR(std::hypot(toleranceOfSteps(whole), limitPredictions(whole).tolerance), 0.01, 1e-12);
+  EXPECT_NEAR(std::hypot(toleranceOfSteps(whole), toleranceOfPredictions(whole)), 0.01, 1e-12);
   EXPECT_EQ(toleranceOfSteps(makeView(100, 100, 0.01)), 0.01);
 }
 
@@ -141,22 +133,4 @@ TEST(PredictedRays, WhatIsNotDrawnDoesNotCount)
   const std::vector<layout::RayCheck> hidden = makeChecks(1000, 0.01f, false);
   checks.insert(checks.end(), hidden.begin(), hidden.end());
   EXPECT_EQ(findThreshold(checks, 0.01, true), layout::UNPREDICTABLE);
-}
-
-TEST(PredictedRays, AShareOfThem)
-{
-  std::vector<layout::RayCheck> checks = makeChecks(1000, 1e-3f);
-  for (const double share : { 0.1, 0.5, 0.9 })
-  {
-    const float threshold = findThresholdOfShare(checks, share);
-    const auto marched = std::count_if(checks.begin(), checks.end(),
-      [&](const layout::RayCheck& check) { return !(check.estimate < threshold); });
-    EXPECT_NEAR(static_cast<double>(marched), 1000.0 * share, 1.5);
-  }
-  EXPECT_EQ(findThresholdOfShare(checks, 0.0), layout::UNPREDICTABLE);
-  EXPECT_EQ(findThresholdOfShare({}, 0.5), layout::UNPREDICTABLE);
-  // None of what looks empty, however many may be.
-  checks.resize(1500, { 0.0f, 0.0f, 0u });
-  EXPECT_GT(findThresholdOfShare(checks, 1.0), 0.0f);
-  EXPECT_LT(findThresholdOfShare(checks, 1.0), 1e-3f);
 }

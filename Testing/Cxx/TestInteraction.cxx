@@ -11,8 +11,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
-#include <utility>
-
 namespace
 {
 constexpr double Still = 0.0001; // a window's desired update rate while nothing moves
@@ -123,29 +121,6 @@ int TestInteraction(int, char*[])
   window->SetDesiredUpdateRate(Still);
   checks.Equal(test::Picture(window).Difference(tolerant), 0.0, "the tolerance again");
   mapper->SetErrorTolerance(0.0);
-
-  // In a larger window there are more rays where the picture changes most: between cells that are
-  // drawn as they are, whatever the steps.
-  window->SetSize(300, 300);
-  mapper->SetMaximumImageSampleDistance(3.0f);
-  mapper->SetReconstructionToNearest();
-  window->SetDesiredUpdateRate(Still);
-  const test::Picture large(window);
-  checks.Equal(mapper->GetNumberOfRays(), vtkIdType(300 * 300), "rays, still");
-  mapper->SetImageSampleDistance(3.0f);
-  const double even = test::Picture(window).Decibel(large);
-  mapper->SetImageSampleDistance(1.0f);
-  window->SetDesiredUpdateRate(Hasty);
-  window->Render(); // for the first one, nothing is known
-  const double chosen = test::Picture(window).Decibel(large);
-  std::cout << "even rays: " << even << " dB, as many where they matter: " << chosen << " dB\n";
-  checks.Equal(mapper->GetUsedImageSampleDistance(), 3.0, "as many rays");
-  checks.Expect(std::abs(mapper->GetNumberOfRays() - 10000.0) < 1500.0, "number of rays");
-  checks.Expect(chosen > even + 0.5, "rays where they matter");
-  mapper->SetReconstructionToBasis();
-  window->SetSize(100, 100);
-  mapper->SetMaximumImageSampleDistance(5.0f);
-  window->SetDesiredUpdateRate(Still);
 
   // What stands still is the same bits, whatever was drawn before.
   checks.Equal(test::Picture(window).Difference(whole), 0.0, "still");

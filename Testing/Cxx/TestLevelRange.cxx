@@ -69,5 +69,26 @@ int TestLevelRange(int, char*[])
   mapper->SetLevelRange(2, 1);
   test::Picture(stage.window);
   checks.Says(messages.TakeErrors(), { "2 to 1", "SetLevelRange" }, "an empty range");
+
+  // A reader that has read the coarsest level alone tells the boxes of all: said once, unless it is
+  // meant so.
+  const std::vector<test::Block> blocks{ { 0, { 0, 0, 0 }, { 8, 8, 8 } },
+    { 1, { 0, 0, 0 }, { 8, 8, 8 } }, { 2, { 0, 0, 0 }, { 8, 8, 8 } } };
+  auto unread = test::makeNullBlocks(blocks);
+  auto coarsest = test::makeGrid(blocks[0]);
+  test::addCells(coarsest, test::constant(1.0));
+  unread->SetDataSet(0, 0, coarsest);
+  test::Stage meant(unread, 20);
+  meant.mapper->SetLevelRange(0, 0);
+  meant.window->Render();
+  checks.Expect(
+    messages.Warnings().empty(), "levels left out on purpose: " + messages.TakeWarnings());
+  meant.mapper->SetLevelRange(0, 9);
+  meant.window->Render();
+  checks.Says(messages.TakeWarnings(),
+    { "Of 3 levels 1 was read, with 36 % of the cells", "SetMaxLevel(2)" }, "levels not read");
+  meant.mapper->SetLevelRange(0, 8);
+  meant.window->Render();
+  checks.Expect(messages.Warnings().empty(), "once: " + messages.TakeWarnings());
   return checks.Status();
 }

@@ -65,7 +65,19 @@ int TestMapperInterface(int, char*[])
   checks.Expect(
     !vtkBoundingBox::IsValid(mapper->GetBounds()), "bounds of an AMR never initialised");
   const test::Lattice lattice{ { -4.0, 0.0, 1.0 }, { 0.5, 1.0, 2.0 } };
+  // What programs ask their image for, an AMR of one block tells.
+  const std::vector<test::Block> one{ { 0, { 0, 0, 0 }, { 8, 8, 8 } } };
+  producer->SetOutput(test::makeAMR(one, [](double x, double, double) { return 2.0 * x; }));
+  producer->Update();
+  checks.Expect(mapper->GetInput() != nullptr, "the input of one block");
+  if (mapper->GetInput())
+  {
+    checks.Equal(mapper->GetInput()->GetScalarRange()[0], 1.0, "its least value");
+    checks.Equal(mapper->GetInput()->GetScalarRange()[1], 15.0, "its greatest value");
+  }
   producer->SetOutput(test::makeAMR(test::cornerRefined(), test::constant(1.0), lattice));
+  producer->Update();
+  checks.Expect(!mapper->GetInput(), "an AMR of several blocks is no data set");
   const double expected[6] = { -4.0, 0.0, 0.0, 8.0, 1.0, 17.0 };
   double bounds[6];
   mapper->GetBounds(bounds);

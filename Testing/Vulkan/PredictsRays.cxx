@@ -140,6 +140,70 @@ TEST(PredictsRays, NotAcrossEdgesOfGeometry)
   EXPECT_LE(off / pixels, 0.01);
 }
 
+TEST(PredictsRays, NotAcrossLinesAroundTheEye)
+{
+  // The eye is in the data, and the far plane far behind: window depths of a line and of what is
+  // behind it are close together.
+  SceneRenderer subject(reference::twoLevels());
+  const Box& bounds = subject.structure.tree.bounds;
+  const glm::dvec3 middle = 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
+  const glm::dmat4 toWorld = reference::logicalToWorld(subject.scene.hierarchy);
+  const double extent =
+    glm::length(glm::dvec3(toWorld * glm::dvec4(glm::dvec3(bounds.size()), 0.0)));
+  reference::Camera camera;
+  camera.position = glm::dvec3(toWorld * glm::dvec4(middle, 0.0));
+  camera.focalPoint = camera.position + glm::dvec3(1.0, 0.4, 0.3);
+  camera.viewAngle = 60.0;
+  camera.nearest = 0.003 * extent;
+  camera.farthest = 3.0 * extent;
+  reference::View view = reference::makeView(subject.scene.hierarchy, camera, Size, Size);
+  const auto depthAt = [&](double distance)
+  {
+    const double n = camera.nearest;
+    const double f = camera.farthest;
+    return static_cast<float>(f * (distance - n) / (distance * (f - n)));
+  };
+  const auto isLine = [](int x, int y) { return x == 81 || x == y + 15 || y == 71; };
+  view.depth.assign(Size * Size, 1.0f);
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    view.depth[i] = isLine(i % Size, i / Size) ? depthAt(0.1 * extent) : depthAt(2.0 * extent);
+  }
+  const reference::Image truth = renderTruth(subject, view);
+  EXPECT_GT(coverage(truth), 0.1);
+  subject.errorTolerance = 0.05;
+  const reference::Image picture = subject.render(view);
+  EXPECT_LT(partOfRays(subject), 0.9);
+  double off = 0.0;
+  int pixels = 0;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    if (isLine(i % Size, i / Size))
+    {
+      const glm::dvec4 d = glm::abs(picture.pixels[i] - truth.pixels[i]);
+      off += std::max({ d.r, d.g, d.b, d.a });
+      ++pixels;
+    }
+  }
+  EXPECT_LE(off / pixels, 0.02);
+}
+
+TEST(PredictsRays, OfPicturesOfAnyShape)
+{
+  SceneRenderer subject(reference::twoLevels());
+  for (const auto& [width, height] :
+    { std::pair{ 1, 1 }, { 3, 2 }, { 100, 100 }, { 1, 40001 }, { 40001, 1 }, { 401, 103 } })
+  {
+    const reference::View from = reference::lookAt(subject.scene.hierarchy,
+      subject.structure.tree.bounds, { -0.6, 0.5, -0.4 }, 30.0, width, height);
+    subject.errorTolerance = 0.01;
+    std::vector<glm::vec4> pixels;
+    EXPECT_EQ(subject.renderer.render(subject.toView(from), pixels), "");
+    EXPECT_EQ(pixels.size(), static_cast<std::size_t>(width) * height);
+    EXPECT_LE(subject.renderer.statistics().rays, pixels.size());
+  }
+}
+
 TEST(PredictsRays, AllOfWhatIsSmallInThePicture)
 {
   // So few of the checked pixels are drawn that they tell nothing.
