@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compute pass that marches the rays of some rows of a picture (Shaders/March.comp), as
-// commands.
+// The compute pass that marches the rays of some rows of a picture, or of pixels of a list
+// (Shaders/March.comp), as commands.
 #ifndef ExaBricksVulkanMarchPass_h
 #define ExaBricksVulkanMarchPass_h
 
@@ -13,7 +13,7 @@ namespace exabricks
 {
 namespace vulkan
 {
-/// Rows of a picture are marched in whole tiles.
+/// Pixels are marched in whole tiles of as many rows and columns.
 constexpr std::uint32_t TileSize = 8; // local_size of March.comp
 
 /// How a picture is marched.
@@ -33,7 +33,8 @@ struct MarchPass
   bool takesPixels = false; // by a counter
 
   /// `band`: with the device addresses of a layout::Frame and, where pixels are taken by it, of a
-  /// counter that is 0 and that no other pass has used since. `width` and `rows` of pixels.
+  /// counter that is 0 and that no other pass has used since. `width` and `rows` of pixels; of a
+  /// list, of as many pixels in any shape.
   void record(const vk::raii::CommandBuffer& commands, const layout::Band& band,
     std::uint32_t width, std::uint32_t rows) const
   {

@@ -15,6 +15,7 @@ LOOKS = {
     "basis, k-d tree": ("basis, k-d tree", plot.BLACK, "o", "-"),
     "basis, ray query": ("basis, ray query", plot.GREY, "o", "-"),
     BY_TOLERANCE: ("basis, by tolerance", plot.BLUE, "s", "-"),
+    f"{MAPPER}, by tolerance": ("the mapper, by tolerance", plot.BLUE, "s", "-"),
     MAPPER: ("the mapper, in a window", plot.SKY, "D", "-"),
     "nearest, k-d tree": ("nearest", plot.GREY, "D", "-"),
     "completed, k-d tree": ("completed", plot.ORANGE, "P", "-"),
