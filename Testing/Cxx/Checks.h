@@ -30,6 +30,13 @@ public:
     }
   }
 
+  /// `said`: messages that were taken. A condition and a text beside it would be found in either
+  /// order.
+  void Silent(const std::string& said, const std::string& what)
+  {
+    this->Expect(said.empty(), what + ": " + said);
+  }
+
   void Near(double found, double expected, double tolerance, const std::string& what)
   {
     this->Expect(std::abs(found - expected) <= tolerance,

@@ -66,8 +66,7 @@ struct Scene
     this->checks.Says(this->messages.TakeErrors(), words, what);
     this->checks.Expect(test::Picture(this->stage.window).Center()[1] == 0.0,
       what + ": only the square is to be seen once more");
-    this->checks.Expect(
-      this->messages.Errors().empty(), what + ": said again: " + this->messages.TakeErrors());
+    this->checks.Silent(this->messages.TakeErrors(), what + ": said again");
   }
 
   void Fails(vtkOverlappingAMR* amr, const std::vector<std::string>& words, const std::string& what)
@@ -82,8 +81,7 @@ struct Scene
     this->checks.Expect(
       test::Picture(this->stage.window).Center()[1] == 1.0, what + ": is drawn again");
     this->checks.Expect(this->stage.mapper->GetDrawn(), what + ": the mapper tells so");
-    this->checks.Expect(
-      this->messages.Errors().empty(), what + ": no error: " + this->messages.TakeErrors());
+    this->checks.Silent(this->messages.TakeErrors(), what + ": no error");
   }
 };
 

@@ -147,10 +147,10 @@ void checkExceptions(test::Checks& checks)
   checks.Equal(builder->GetOutput()->GetNumberOfLeafCells(), 0, "leaf cells without memory");
   checks.Equal(builder->GetOutput()->GetNumberOfBricks(), 0, "bricks without memory");
   builder->Update();
-  checks.Expect(messages.Errors().empty(), "it is said once: " + messages.TakeErrors());
+  checks.Silent(messages.TakeErrors(), "it is said once");
   array->Now = FailingArray::Fault::None;
   builder->Update();
-  checks.Expect(messages.Errors().empty(), "with memory: " + messages.TakeErrors());
+  checks.Silent(messages.TakeErrors(), "with memory");
   checks.Equal(
     builder->GetOutput()->GetNumberOfLeafCells(), side * side * side, "leaf cells with memory");
 
@@ -162,7 +162,7 @@ void checkExceptions(test::Checks& checks)
   array->Now = FailingArray::Fault::None;
   builder->Modified();
   builder->Update();
-  checks.Expect(messages.Errors().empty(), "with a whole array: " + messages.TakeErrors());
+  checks.Silent(messages.TakeErrors(), "with a whole array");
   checks.Equal(
     builder->GetOutput()->GetNumberOfLeafCells(), side * side * side, "leaf cells in the end");
 }

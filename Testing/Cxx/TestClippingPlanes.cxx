@@ -138,7 +138,7 @@ void checkFaults(Block& block)
     addPlane(block.mapper, { 4.0, 4.0, 4.0 }, { 0.0, 0.0, 1.0 });
   }
   refuses({ "at most 32 clipping planes", "found 33" }, "too many planes");
-  checks.Expect(messages.Warnings().empty(), "no warnings: " + messages.TakeWarnings());
+  checks.Silent(messages.TakeWarnings(), "no warnings");
 }
 }
 

@@ -120,8 +120,8 @@ void checkPlanes(Block& block)
   block.checks.Says(messages.TakeErrors(), { "CroppingRegionPlanes", "nan" }, "NaN");
   mapper->CroppingOff(); // then nobody minds the planes
   block.ExpectWhole("off again");
-  block.checks.Expect(messages.Warnings().empty(), "no warnings: " + messages.TakeWarnings());
-  block.checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
+  block.checks.Silent(messages.TakeWarnings(), "no warnings");
+  block.checks.Silent(messages.TakeErrors(), "no errors");
   mapper->SetCroppingRegionPlanes(Low, High, Low, High, Low, High);
 }
 

@@ -65,7 +65,6 @@ int TestFinalColor(int, char*[])
   side(0.8, 5, "below");
   side(0.0, 15, "within");
   side(0.4, 25, "above");
-  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
-    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
   return checks.Status();
 }

@@ -103,8 +103,7 @@ int TestIsosurfaces(int, char*[])
   values->SetValue(0, 4.2);
   checks.Expect(test::Picture(stage.window).Coverage() > 0.9, "surfaces of cells");
 
-  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
-    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
 
   // A ray that passes a surface and comes back between two samples meets it twice. The field rises
   // to 0.996 at 5.5; with steps of 2 cells it is sampled at 6 and 4, where it is less.

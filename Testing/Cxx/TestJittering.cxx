@@ -71,7 +71,6 @@ int TestJittering(int, char*[])
   const test::Picture maximum(stage.window);
   mapper->UseJitteringOff();
   checks.Expect(test::Picture(stage.window).Decibel(maximum) > 40.0, "maximum");
-  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
-    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
   return checks.Status();
 }

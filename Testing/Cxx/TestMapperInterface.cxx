@@ -211,7 +211,7 @@ int TestMapperInterface(int, char*[])
     mapper->RemoveObserver(tag);
     mapper->SelectScalarArray("value");
     checks.Equal(test::Picture(stage.window).Difference(still), 0.0, "drawn after that");
-    checks.Expect(messages.Errors().empty(), "no errors after that: " + messages.TakeErrors());
+    checks.Silent(messages.TakeErrors(), "no errors after that");
   }
 
   // Whether it can draw at all, before anything is drawn.
@@ -222,7 +222,7 @@ int TestMapperInterface(int, char*[])
     checks.Equal(fresh->IsRenderSupported(nullptr, nullptr), 0, "support without a window");
     fresh->SetDevice("abacus");
     checks.Equal(fresh->IsRenderSupported(stage.window, nullptr), 0, "support without the device");
-    checks.Expect(messages.Errors().empty(), "asking is no error: " + messages.TakeErrors());
+    checks.Silent(messages.TakeErrors(), "asking is no error");
   }
 
   // Ranges of the setters.

@@ -139,8 +139,8 @@ int TestNanColor(int, char*[])
     });
   nothing->Modified();
   scene.Shows(4.0, 0.0, "hidden cells");
-  checks.Expect(messages.Errors().empty(), messages.TakeErrors());
-  checks.Expect(messages.Warnings().empty(), messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors(), "said");
+  checks.Silent(messages.TakeWarnings(), "said");
 
   // Where it cannot be, it is said.
   mapper->SetInputData(amr);

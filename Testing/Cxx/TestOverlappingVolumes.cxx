@@ -229,7 +229,7 @@ int TestOverlappingVolumes(int, char*[])
   std::cout << "two volumes as two components: " << decibel << " dB\n";
   checks.Expect(decibel > 45.0, "two volumes as two components");
 
-  checks.Expect(messages.Errors().empty(), messages.TakeErrors());
-  checks.Expect(messages.Warnings().empty(), messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors(), "said");
+  checks.Silent(messages.TakeWarnings(), "said");
   return checks.Status();
 }

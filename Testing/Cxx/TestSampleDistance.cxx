@@ -61,8 +61,7 @@ int TestSampleDistance(int, char*[])
   levels.mapper->SetSampleDistance(20.0);
   checks.Equal(test::Picture(levels.window).Difference(byTolerance), 0.0, "by tolerance");
   levels.mapper->SetErrorTolerance(0.0);
-  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
-    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
   levels.mapper->SetSampleDistance(std::nan(""));
   test::Picture(levels.window);
   checks.Says(messages.TakeErrors(), { "SampleDistance", "nan" }, "no number");

@@ -152,7 +152,6 @@ int TestSelection(int, char*[])
   selection = vtkSmartPointer<vtkSelection>::Take(scene.selector->Select());
   checks.Equal(selection->GetNumberOfNodes(), 0, "no points");
 
-  checks.Expect(messages.Errors().empty() && messages.Warnings().empty(),
-    "nothing to say: " + messages.TakeErrors() + messages.TakeWarnings());
+  checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
   return checks.Status();
 }

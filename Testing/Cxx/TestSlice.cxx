@@ -116,6 +116,6 @@ int TestSlice(int, char*[])
   plane->SetNormal(0.0, 0.0, 0.0);
   test::Picture(stage.window);
   checks.Says(messages.TakeErrors(), { "normal", "not 0" }, "no normal");
-  checks.Expect(messages.Warnings().empty(), "no warnings: " + messages.TakeWarnings());
+  checks.Silent(messages.TakeWarnings(), "no warnings");
   return checks.Status();
 }

@@ -117,6 +117,6 @@ int TestTwoArrays(int, char*[])
   test::Picture(stage.window);
   checks.Says(
     messages.TakeWarnings(), { "2-D", "composite", "1-D" }, "maximum with a 2-D function");
-  checks.Expect(messages.Errors().empty(), "no errors: " + messages.TakeErrors());
+  checks.Silent(messages.TakeErrors(), "no errors");
   return checks.Status();
 }
