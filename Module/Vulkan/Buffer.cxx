@@ -180,5 +180,15 @@ void Buffer::upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offse
     stage.copying.wait();
   }
 }
+
+void Buffer::clear(const vk::raii::CommandBuffer& commands) const
+{
+  using Access = vk::AccessFlagBits;
+  using Stage = vk::PipelineStageFlagBits;
+  commands.fillBuffer(*this->Handle, 0, VK_WHOLE_SIZE, 0);
+  const vk::MemoryBarrier barrier(
+    Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite);
+  commands.pipelineBarrier(Stage::eTransfer, Stage::eComputeShader, {}, barrier, {}, {});
+}
 }
 }

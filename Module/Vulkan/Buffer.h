@@ -49,6 +49,8 @@ public:
   /// Copies to the device, and waits until it is there. Where the host cannot see the memory, a
   /// part is written to one staging buffer while the part before is copied out of another.
   void upload(const void* data, vk::DeviceSize bytes, vk::DeviceSize offset = 0);
+  /// Sets all to 0, for the shaders recorded after this.
+  void clear(const vk::raii::CommandBuffer& commands) const;
 
 private:
   /// Null, if there is no memory for it.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vulkan/DeviceSparsePictures.h"
 
-#include "DifferenceInt64Spirv.h"
 #include "DifferenceSpirv.h"
 
 #include <algorithm>
@@ -19,20 +18,9 @@ constexpr std::uint32_t MostFrames = 2 * MostPairs;
 
 DeviceSparsePictures::DeviceSparsePictures(std::shared_ptr<Device> device)
   : Owner(std::move(device))
+  , Compare(*this->Owner, { {}, sizeof(DifferenceSpirv), DifferenceSpirv })
   , Counters(this->Owner, MostFrames)
 {
-  const vk::PushConstantRange push(
-    vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Comparison));
-  this->Layout =
-    vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
-  const vk::raii::ShaderModule shader(this->Owner->handle(),
-    this->Owner->hasInt64()
-      ? vk::ShaderModuleCreateInfo({}, sizeof(DifferenceInt64Spirv), DifferenceInt64Spirv)
-      : vk::ShaderModuleCreateInfo({}, sizeof(DifferenceSpirv), DifferenceSpirv));
-  const vk::PipelineShaderStageCreateInfo stage(
-    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
-  this->Pipeline = vk::raii::Pipeline(this->Owner->handle(), this->Owner->pipelineCache(),
-    vk::ComputePipelineCreateInfo({}, stage, *this->Layout));
   this->Frames.reserve(
     this->Owner, MostFrames * sizeof(layout::Frame), "the constants of sparse pictures");
   this->Differences.reserve(
@@ -146,12 +134,9 @@ std::vector<std::optional<SparsePictures::Difference>> DeviceSparsePictures::com
       }
       const vk::MemoryBarrier drawn(Access::eShaderWrite, Access::eShaderRead);
       commands.pipelineBarrier(Stage::eComputeShader, Stage::eComputeShader, {}, drawn, {}, {});
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, *this->Pipeline);
       for (const layout::Comparison& comparison : comparisons)
       {
-        commands.pushConstants<layout::Comparison>(
-          *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, comparison);
-        commands.dispatch(1, 1, 1);
+        this->Compare.record(commands, comparison, 1, 1);
       }
       if (!comparisons.empty())
       {

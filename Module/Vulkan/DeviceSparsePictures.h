@@ -5,6 +5,7 @@
 #define ExaBricksVulkanDeviceSparsePictures_h
 
 #include "Core/SamplingSearch.h"
+#include "Vulkan/ComputePipeline.h"
 #include "Vulkan/Exchange.h"
 #include "Vulkan/MarchPass.h"
 
@@ -36,8 +37,7 @@ private:
   Place FindPlace(const Sampling& sampling, std::vector<layout::Frame>& frames);
 
   std::shared_ptr<Device> Owner;
-  vk::raii::PipelineLayout Layout = nullptr;
-  vk::raii::Pipeline Pipeline = nullptr; // Shaders/Difference.comp
+  ComputePipeline<layout::Comparison> Compare; // Shaders/Difference.comp
   MarchPass Pass;
   MakeFrame MakeFrameOf;
   std::uint32_t Width = 0;

@@ -63,14 +63,6 @@ void Output::reserve(
   provide(device, bytes, purpose, Residence::Readback, this->OnDevice, this->ReadBack);
 }
 
-void Output::clear(const vk::raii::CommandBuffer& commands) const
-{
-  commands.fillBuffer(*this->OnDevice.handle(), 0, VK_WHOLE_SIZE, 0);
-  const vk::MemoryBarrier barrier(
-    Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite);
-  commands.pipelineBarrier(Stage::eTransfer, Stage::eComputeShader, {}, barrier, {}, {});
-}
-
 void Output::record(const vk::raii::CommandBuffer& commands, vk::DeviceSize bytes) const
 {
   const bool copied = this->ReadBack.bytes() > 0;

@@ -36,7 +36,7 @@ public:
   void reserve(const std::shared_ptr<Device>& device, vk::DeviceSize bytes, const Purpose& purpose);
   vk::DeviceAddress address() const { return this->OnDevice.address(); }
   /// Sets all to 0, for the commands recorded after this.
-  void clear(const vk::raii::CommandBuffer& commands) const;
+  void clear(const vk::raii::CommandBuffer& commands) const { this->OnDevice.clear(commands); }
   /// Gives the host the first `bytes` of what shaders wrote.
   void record(const vk::raii::CommandBuffer& commands, vk::DeviceSize bytes) const;
   /// Host memory to read from, when the device has done what was recorded.

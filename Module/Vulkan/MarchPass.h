@@ -13,7 +13,7 @@ namespace exabricks
 {
 namespace vulkan
 {
-/// Pixels are marched in whole tiles of as many rows and columns.
+/// Pixels are marched in tiles of so many along each axis.
 constexpr std::uint32_t TileSize = 8; // local_size of March.comp
 
 /// How a picture is marched.
@@ -59,15 +59,7 @@ public:
     return this->Counters.address() + counter * sizeof(std::uint32_t);
   }
   /// Sets all to 0, for the passes recorded after this.
-  void record(const vk::raii::CommandBuffer& commands) const
-  {
-    using Access = vk::AccessFlagBits;
-    using Stage = vk::PipelineStageFlagBits;
-    commands.fillBuffer(*this->Counters.handle(), 0, VK_WHOLE_SIZE, 0);
-    const vk::MemoryBarrier barrier(
-      Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite);
-    commands.pipelineBarrier(Stage::eTransfer, Stage::eComputeShader, {}, barrier, {}, {});
-  }
+  void record(const vk::raii::CommandBuffer& commands) const { this->Counters.clear(commands); }
 
 private:
   Buffer Counters;

@@ -134,16 +134,11 @@ void PictureJob::MarchRows()
   }
 }
 
-std::uint32_t PictureJob::CountOfPiece(std::uint32_t all) const
+bool PictureJob::MarchPiece(vk::DeviceAddress list, std::uint32_t all, const Device::Record& before,
+  const Device::Record& after)
 {
-  return std::min(all - this->NextOfList,
+  const std::uint32_t count = std::min(all - this->NextOfList,
     static_cast<std::uint32_t>(std::clamp<double>(this->WantedPixels(), 64.0, 1e9)));
-}
-
-void PictureJob::MarchChecks()
-{
-  const std::uint32_t all = this->Refinement->checks();
-  const std::uint32_t count = this->CountOfPiece(all);
   const bool last = this->NextOfList + count == all;
   if (count > 0)
   {
@@ -151,23 +146,32 @@ void PictureJob::MarchChecks()
     this->Owner->submit(
       [&](const vk::raii::CommandBuffer& commands)
       {
-        if (this->NextOfList == 0)
+        if (before && this->NextOfList == 0)
         {
-          this->Refinement->recordCheckList(commands);
+          before(commands);
         }
-        this->RecordList(commands, this->Refinement->checkList(), this->NextOfList, count);
-        if (last)
+        this->RecordList(commands, list, this->NextOfList, count);
+        if (after && last)
         {
-          this->Refinement->recordChecks(commands);
+          after(commands);
         }
       });
     this->Took(watch.seconds(), count);
-    this->NextOfList += count;
   }
-  if (last)
+  this->NextOfList = last ? 0 : this->NextOfList + count;
+  return last;
+}
+
+void PictureJob::MarchChecks()
+{
+  const bool done = this->MarchPiece(
+    this->Refinement->checkList(), this->Refinement->checks(),
+    [this](const vk::raii::CommandBuffer& commands)
+    { this->Refinement->recordCheckList(commands); },
+    [this](const vk::raii::CommandBuffer& commands) { this->Refinement->recordChecks(commands); });
+  if (done)
   {
     this->Refinement->takeChecks();
-    this->NextOfList = 0;
     this->Next = Stage::Predict;
   }
 }
@@ -183,19 +187,8 @@ void PictureJob::PredictPixels()
 
 void PictureJob::MarchList()
 {
-  const std::uint32_t all = this->Refinement->remaining();
-  const std::uint32_t count = this->CountOfPiece(all);
-  if (count > 0)
+  if (this->MarchPiece(this->Refinement->remainingList(), this->Refinement->remaining()))
   {
-    const Stopwatch watch;
-    this->Owner->submit([&](const vk::raii::CommandBuffer& commands)
-      { this->RecordList(commands, this->Refinement->remainingList(), this->NextOfList, count); });
-    this->Took(watch.seconds(), count);
-    this->NextOfList += count;
-  }
-  if (this->NextOfList == all)
-  {
-    this->NextOfList = 0;
     this->Next = this->Refinement->goOn() ? Stage::Check : Stage::Fetch;
   }
 }

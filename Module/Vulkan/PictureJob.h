@@ -59,8 +59,10 @@ private:
   /// So many pixels of a list, from the first one on.
   void RecordList(const vk::raii::CommandBuffer& commands, vk::DeviceAddress list,
     std::uint32_t first, std::uint32_t count) const;
-  /// How many of a list's pixels are in the next piece.
-  std::uint32_t CountOfPiece(std::uint32_t all) const;
+  /// The next piece of a list of so many pixels, with what is recorded before the first one and
+  /// after the last one. True: all of them are done.
+  bool MarchPiece(vk::DeviceAddress list, std::uint32_t all, const Device::Record& before = {},
+    const Device::Record& after = {});
   void Took(double seconds, double pixels);
 
   std::shared_ptr<Device> Owner;

@@ -15,6 +15,7 @@ namespace
 {
 constexpr std::uint32_t ChecksOfGroup = 64; // local_size of CheckPredictions.comp
 constexpr std::uint32_t SideOfGroup = 8;    // and of PredictPixels.comp
+
 std::uint32_t groups(std::uint32_t items, std::uint32_t ofGroup)
 {
   return (items + ofGroup - 1) / ofGroup;
@@ -23,23 +24,10 @@ std::uint32_t groups(std::uint32_t items, std::uint32_t ofGroup)
 
 RayRefinement::RayRefinement(std::shared_ptr<Device> device)
   : Owner(std::move(device))
+  , Check(*this->Owner, { {}, sizeof(CheckPredictionsSpirv), CheckPredictionsSpirv })
+  , Predict(*this->Owner, { {}, sizeof(PredictPixelsSpirv), PredictPixelsSpirv })
 {
-  const vk::PushConstantRange push(
-    vk::ShaderStageFlagBits::eCompute, 0, sizeof(layout::Refinement));
-  this->Layout =
-    vk::raii::PipelineLayout(this->Owner->handle(), vk::PipelineLayoutCreateInfo({}, {}, push));
-  this->Check = this->MakePipeline({ {}, sizeof(CheckPredictionsSpirv), CheckPredictionsSpirv });
-  this->Predict = this->MakePipeline({ {}, sizeof(PredictPixelsSpirv), PredictPixelsSpirv });
   this->Count.reserve(this->Owner, sizeof(std::uint32_t), "the number of pixels to march");
-}
-
-vk::raii::Pipeline RayRefinement::MakePipeline(const vk::ShaderModuleCreateInfo& code) const
-{
-  const vk::raii::ShaderModule shader(this->Owner->handle(), code);
-  const vk::PipelineShaderStageCreateInfo stage(
-    {}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
-  return { this->Owner->handle(), this->Owner->pipelineCache(),
-    vk::ComputePipelineCreateInfo({}, stage, *this->Layout) };
 }
 
 void RayRefinement::begin(const layout::Frame& frame, double tolerance)
@@ -89,7 +77,7 @@ void RayRefinement::recordChecks(const vk::raii::CommandBuffer& commands) const
   constants.pixels = this->Checked.address();
   constants.results = this->Checks.address();
   constants.checks = this->CheckCount;
-  this->Record(commands, this->Check, constants, groups(this->CheckCount, ChecksOfGroup), 1);
+  this->Check.record(commands, constants, groups(this->CheckCount, ChecksOfGroup), 1);
   this->Checks.record(commands, this->CheckCount * sizeof(layout::RayCheck));
 }
 
@@ -103,7 +91,6 @@ void RayRefinement::takeChecks()
   this->Threshold = findThreshold(std::move(checks), this->Tolerance, this->Spacing == 1);
 }
 
-// Pixels that the grid adds to the one before.
 std::uint32_t RayRefinement::Places() const
 {
   const auto places = [&](std::uint32_t spacing)
@@ -120,15 +107,14 @@ void RayRefinement::recordPrediction(const vk::raii::CommandBuffer& commands) co
   constants.threshold = this->Threshold;
   // An invocation predicts the three places around a known one.
   const std::uint32_t reach = 2 * this->Spacing * SideOfGroup;
-  this->Record(commands, this->Predict, constants, groups(this->Frame.width, reach),
-    groups(this->Frame.height, reach));
+  this->Predict.record(
+    commands, constants, groups(this->Frame.width, reach), groups(this->Frame.height, reach));
   this->Count.record(commands, sizeof(std::uint32_t));
 }
 
 void RayRefinement::takePrediction()
 {
   std::memcpy(&this->RemainingCount, this->Count.data(), sizeof(this->RemainingCount));
-  this->PredictedCount = this->Places() - this->CheckCount - this->RemainingCount;
 }
 
 bool RayRefinement::goOn()
@@ -157,16 +143,6 @@ layout::Refinement RayRefinement::MakeConstants() const
   constants.firstW = this->Frame.first.high.w;
   constants.secondW = this->Frame.second.high.w;
   return constants;
-}
-
-void RayRefinement::Record(const vk::raii::CommandBuffer& commands,
-  const vk::raii::Pipeline& pipeline, const layout::Refinement& constants, std::uint32_t columns,
-  std::uint32_t rows) const
-{
-  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-  commands.pushConstants<layout::Refinement>(
-    *this->Layout, vk::ShaderStageFlagBits::eCompute, 0, constants);
-  commands.dispatch(columns, rows, 1);
 }
 }
 }

@@ -5,6 +5,7 @@
 #define ExaBricksVulkanRayRefinement_h
 
 #include "Core/PredictedRays.h"
+#include "Vulkan/ComputePipeline.h"
 #include "Vulkan/Exchange.h"
 
 namespace exabricks
@@ -34,7 +35,10 @@ public:
   /// be marched.
   void recordPrediction(const vk::raii::CommandBuffer& commands) const;
   void takePrediction();
-  std::uint32_t predicted() const { return this->PredictedCount; }
+  std::uint32_t predicted() const
+  {
+    return this->Places() - this->CheckCount - this->RemainingCount;
+  }
   std::uint32_t remaining() const { return this->RemainingCount; }
   vk::DeviceAddress remainingList() const { return this->Remaining.address(); }
 
@@ -43,17 +47,14 @@ public:
 
 private:
   void ListChecks();
+  /// Pixels that the grid adds to the one before.
   std::uint32_t Places() const;
-  vk::raii::Pipeline MakePipeline(const vk::ShaderModuleCreateInfo& code) const;
   layout::Refinement MakeConstants() const;
-  void Record(const vk::raii::CommandBuffer& commands, const vk::raii::Pipeline& pipeline,
-    const layout::Refinement& constants, std::uint32_t columns, std::uint32_t rows) const;
 
   std::shared_ptr<Device> Owner;
-  vk::raii::PipelineLayout Layout = nullptr;
-  vk::raii::Pipeline Check = nullptr;   // Shaders/CheckPredictions.comp
-  vk::raii::Pipeline Predict = nullptr; // Shaders/PredictPixels.comp
-  layout::Frame Frame{};                // the picture's
+  ComputePipeline<layout::Refinement> Check;   // Shaders/CheckPredictions.comp
+  ComputePipeline<layout::Refinement> Predict; // Shaders/PredictPixels.comp
+  layout::Frame Frame{};                       // the picture's
   double Tolerance = 0.0;
   std::uint32_t Spacing = 1; // of the grid
   std::uint32_t Side = 1;    // of its blocks
@@ -63,7 +64,6 @@ private:
   Buffer Remaining; // list
   Output Count;     // of them
   std::uint32_t CheckCount = 0;
-  std::uint32_t PredictedCount = 0;
   std::uint32_t RemainingCount = 0;
 };
 }

@@ -24,14 +24,11 @@ Pixels render(SceneRenderer& subject, const View& view)
 // Windows depths between the near and the far side of the data, another one for each pixel.
 std::vector<float> depthsInside(const SceneRenderer& subject, const reference::View& view)
 {
-  const Box& bounds = subject.structure.tree.bounds;
-  const glm::dvec4 middle =
-    glm::inverse(view.ndcToLogical) * glm::dvec4(glm::dvec3(bounds.lo + bounds.hi) * 0.5, 1.0);
+  const double middle = subject.middleDepth(view);
   std::vector<float> depths(static_cast<std::size_t>(view.width) * view.height);
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
-    depths[i] =
-      static_cast<float>(0.5 + 0.5 * middle.z / middle.w + 0.002 * (double(i * 7 % 16) - 8.0));
+    depths[i] = static_cast<float>(middle + 0.002 * (double(i * 7 % 16) - 8.0));
   }
   return depths;
 }

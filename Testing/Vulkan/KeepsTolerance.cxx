@@ -7,14 +7,6 @@
 
 using namespace exabricks;
 
-namespace
-{
-double errorOfDrawn(const reference::Image& a, const reference::Image& b)
-{
-  return std::pow(10.0, -reference::psnrOfDrawn(a, b) / 20.0);
-}
-}
-
 TEST(KeepsTolerance, WithinAFactorOfTwo)
 {
   for (const reference::Scene& scene : { reference::twoLevels(), reference::mixedRatios(),

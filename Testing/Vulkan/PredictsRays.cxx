@@ -11,11 +11,6 @@ namespace
 {
 constexpr int Size = 208; // larger than what all pixels are marched of
 
-double errorOfDrawn(const reference::Image& a, const reference::Image& b)
-{
-  return std::pow(10.0, -reference::psnrOfDrawn(a, b) / 20.0);
-}
-
 reference::Image renderTruth(SceneRenderer& subject, const reference::View& view)
 {
   subject.errorTolerance = 0.0;
@@ -28,13 +23,22 @@ double partOfRays(const SceneRenderer& subject)
   return static_cast<double>(subject.renderer.statistics().rays) / (Size * Size);
 }
 
-// The middle of the data, in window depths.
-float middleDepth(const SceneRenderer& subject, const reference::View& view)
+// Mean over the pixels of a kind of the greatest difference of their channels.
+template <typename IsOne>
+double meanDifference(const reference::Image& a, const reference::Image& b, const IsOne& isOne)
 {
-  const Box& bounds = subject.structure.tree.bounds;
-  const glm::dvec4 middle =
-    glm::inverse(view.ndcToLogical) * glm::dvec4(glm::dvec3(bounds.lo + bounds.hi) * 0.5, 1.0);
-  return static_cast<float>(0.5 + 0.5 * middle.z / middle.w);
+  double sum = 0.0;
+  int pixels = 0;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    if (isOne(i % Size, i / Size))
+    {
+      const glm::dvec4 d = glm::abs(a.pixels[i] - b.pixels[i]);
+      sum += std::max({ d.r, d.g, d.b, d.a });
+      ++pixels;
+    }
+  }
+  return sum / pixels;
 }
 }
 
@@ -107,7 +111,7 @@ TEST(PredictsRays, NotAcrossEdgesOfGeometry)
   // Thin lines, which few rays of the first grid meet, and a slanted disc, whose depth goes evenly.
   SceneRenderer subject(reference::twoLevels());
   reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, Size);
-  const float middle = middleDepth(subject, view);
+  const auto middle = static_cast<float>(subject.middleDepth(view));
   const auto isLine = [](int x, int y) { return x == 81 || x == y + 15 || y == 70; };
   const auto isDisc = [](int x, int y)
   { return std::hypot(x - 0.6 * Size, y - 0.6 * Size) < 0.2 * Size; };
@@ -126,18 +130,7 @@ TEST(PredictsRays, NotAcrossEdgesOfGeometry)
   const reference::Image picture = subject.render(view);
   EXPECT_LE(errorOfDrawn(picture, truth), 0.04);
   EXPECT_LT(partOfRays(subject), 0.6);
-  double off = 0.0;
-  int pixels = 0;
-  for (int i = 0; i < Size * Size; ++i)
-  {
-    if (isLine(i % Size, i / Size))
-    {
-      const glm::dvec4 d = glm::abs(picture.pixels[i] - truth.pixels[i]);
-      off += std::max({ d.r, d.g, d.b, d.a });
-      ++pixels;
-    }
-  }
-  EXPECT_LE(off / pixels, 0.01);
+  EXPECT_LE(meanDifference(picture, truth, isLine), 0.01);
 }
 
 TEST(PredictsRays, NotAcrossLinesAroundTheEye)
@@ -174,18 +167,7 @@ TEST(PredictsRays, NotAcrossLinesAroundTheEye)
   subject.errorTolerance = 0.05;
   const reference::Image picture = subject.render(view);
   EXPECT_LT(partOfRays(subject), 0.9);
-  double off = 0.0;
-  int pixels = 0;
-  for (int i = 0; i < Size * Size; ++i)
-  {
-    if (isLine(i % Size, i / Size))
-    {
-      const glm::dvec4 d = glm::abs(picture.pixels[i] - truth.pixels[i]);
-      off += std::max({ d.r, d.g, d.b, d.a });
-      ++pixels;
-    }
-  }
-  EXPECT_LE(off / pixels, 0.02);
+  EXPECT_LE(meanDifference(picture, truth, isLine), 0.02);
 }
 
 TEST(PredictsRays, OfPicturesOfAnyShape)

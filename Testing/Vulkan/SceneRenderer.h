@@ -67,6 +67,15 @@ struct SceneRenderer
     return view;
   }
 
+  /// Window depth, in [0, 1], of the middle of the data.
+  double middleDepth(const reference::View& view) const
+  {
+    const Box& bounds = this->structure.tree.bounds;
+    const glm::dvec4 middle =
+      glm::inverse(view.ndcToLogical) * glm::dvec4(glm::dvec3(bounds.lo + bounds.hi) * 0.5, 1.0);
+    return 0.5 + 0.5 * middle.z / middle.w;
+  }
+
   View toView(const reference::View& from) const
   {
     View view;
@@ -153,6 +162,12 @@ private:
     }
   }
 };
+
+/// Root mean square over the channels of the pixels that are drawn in either picture.
+inline double errorOfDrawn(const reference::Image& a, const reference::Image& b)
+{
+  return std::pow(10.0, -reference::psnrOfDrawn(a, b) / 20.0);
+}
 
 inline double largestDifference(const reference::Image& a, const reference::Image& b)
 {
