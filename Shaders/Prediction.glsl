@@ -96,7 +96,7 @@ Quad predictFromColors(ivec2 corner)
     const Prediction never = Prediction(vec4(0.0), UNPREDICTABLE);
     return Quad(never, never, never);
   }
-  if (most == vec4(0.0)) // as most of many a picture
+  if (most == vec4(0.0)) // as in the background, of which pictures have much
   {
     return Quad(nothing, nothing, nothing);
   }

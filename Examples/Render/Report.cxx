@@ -250,7 +250,7 @@ void printReport(std::ostream& out, const Run& run)
                                << mapper->GetLevelsLeftOut() << '\n';
   }
   const vtkIdType pixels = static_cast<vtkIdType>(run.Asked.Size[0]) * run.Asked.Size[1];
-  if (mapper->GetNumberOfRays() < pixels)
+  if (mapper->GetErrorTolerance() > 0.0 && mapper->GetNumberOfRays() < pixels)
   {
     startLine(out, "Rays") << mapper->GetNumberOfRays() << " of " << pixels
                            << " pixels, as the error tolerance allows\n";

@@ -103,10 +103,10 @@ private:
   {
     const auto read = static_cast<unsigned int>(this->Input.amrLevel.back()) + 1;
     const unsigned int wanted = std::min(this->Levels.last, this->AMR->GetNumberOfLevels() - 1) + 1;
-    unsigned int levels = read; // that have blocks
-    double shown = 0.0;         // cells without finer ones, as far as they were read
+    unsigned int levels = 0; // up to the last one that has blocks
+    double shown = 0.0;      // cells without finer ones, as far as they were read
     double all = 0.0;
-    double before = 0.0; // of the coarser level, cells
+    double coarser = 0.0; // volume of a cell of the level before
     for (unsigned int level = this->Levels.first; level < wanted; ++level)
     {
       double cells = 0.0;
@@ -118,19 +118,13 @@ private:
       {
         continue;
       }
-      double covered = 0.0;
-      if (before > 0.0)
-      {
-        double coarse[3];
-        double fine[3];
-        this->AMR->GetSpacing(level - 1, coarse);
-        this->AMR->GetSpacing(level, fine);
-        covered = cells * fine[0] / coarse[0] * fine[1] / coarse[1] * fine[2] / coarse[2];
-      }
-      all += cells - covered;
+      double spacing[3];
+      this->AMR->GetSpacing(level, spacing);
+      const double volume = spacing[0] * spacing[1] * spacing[2];
+      all += cells - (coarser > 0.0 ? cells * volume / coarser : 0.0);
       shown = level < read ? all : shown;
-      levels = std::max(levels, level + 1);
-      before = cells;
+      levels = level + 1;
+      coarser = volume;
     }
     if (levels <= read || !(shown > 0.0 && all > shown))
     {

@@ -13,8 +13,8 @@
 
 namespace exabricks
 {
-/// Of the rays that are marched first, along each axis, pixels. The grids of every second pixel and
-/// of all of them follow.
+/// Distance along each axis of the rays that are marched first, pixels. The grids of every second
+/// pixel and of all of them follow.
 constexpr int FirstSpacing = 4;
 
 /// What predictions of the view's picture may err by, as a root mean square over the channels of

@@ -30,8 +30,8 @@ public:
     }
   }
 
-  /// `said`: messages that were taken. A condition and a text beside it would be found in either
-  /// order.
+  /// Nothing was said. `said`: the messages, taken by the caller. Of two arguments of one call, one
+  /// that asks whether there are any and one that takes them, compilers may find either first.
   void Silent(const std::string& said, const std::string& what)
   {
     this->Expect(said.empty(), what + ": " + said);

@@ -137,7 +137,7 @@ int TestInteraction(int, char*[])
   mapper->AutoAdjustSampleDistancesOff();
   checks.Equal(test::Picture(window).Difference(whole), 0.0, "never");
 
-  checks.Silent(messages.TakeErrors(), "said");
-  checks.Silent(messages.TakeWarnings(), "said");
+  checks.Silent(messages.TakeErrors(), "nothing to say");
+  checks.Silent(messages.TakeWarnings(), "nothing to say");
   return checks.Status();
 }

@@ -139,8 +139,8 @@ int TestNanColor(int, char*[])
     });
   nothing->Modified();
   scene.Shows(4.0, 0.0, "hidden cells");
-  checks.Silent(messages.TakeErrors(), "said");
-  checks.Silent(messages.TakeWarnings(), "said");
+  checks.Silent(messages.TakeErrors(), "nothing to say");
+  checks.Silent(messages.TakeWarnings(), "nothing to say");
 
   // Where it cannot be, it is said.
   mapper->SetInputData(amr);

@@ -412,6 +412,18 @@ class RenderProgramTest(unittest.TestCase):
         _, stats = self.draw("--array", "magvort", "--error-tolerance", "0.0001")
         self.assertEqual(stats["method"]["levels_left_out"], 0)
 
+    def test_rays(self):
+        """Of a picture that is large enough, a tolerance lets pixels be predicted; nothing else does."""
+        rays = "(?m)^Rays +[0-9]+ of 90000 pixels"
+        for asked, said in ((["--error-tolerance", "0.02"], True), ([], False),
+                            (["--opacity", "0:0,20:0"], False)):  # nothing shows, and no ray is marched
+            stats = os.path.join(self.folder.name, "stats.json")
+            done = self.run_program(DATA, self.png, "--size", "300x300", "--array", "magvort", "--stats", stats, *asked)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            (self.assertRegex if said else self.assertNotRegex)(done.stdout, rays)
+            with open(stats, encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["method"]["rays"] < 90000, bool(asked))
+
     def test_scene(self):
         """What --stats writes draws the same picture again, and what is asked for counts before it."""
         for asked in (

@@ -135,7 +135,7 @@ TEST(PredictsRays, NotAcrossEdgesOfGeometry)
 
 TEST(PredictsRays, NotAcrossLinesAroundTheEye)
 {
-  // The eye is in the data, and the far plane far behind: window depths of a line and of what is
+  // The eye is in the data, and the near plane close to it: window depths of a line and of what is
   // behind it are close together.
   SceneRenderer subject(reference::twoLevels());
   const Box& bounds = subject.structure.tree.bounds;
@@ -147,7 +147,7 @@ TEST(PredictsRays, NotAcrossLinesAroundTheEye)
   camera.position = glm::dvec3(toWorld * glm::dvec4(middle, 0.0));
   camera.focalPoint = camera.position + glm::dvec3(1.0, 0.4, 0.3);
   camera.viewAngle = 60.0;
-  camera.nearest = 0.003 * extent;
+  camera.nearest = 0.0003 * extent;
   camera.farthest = 3.0 * extent;
   reference::View view = reference::makeView(subject.scene.hierarchy, camera, Size, Size);
   const auto depthAt = [&](double distance)
