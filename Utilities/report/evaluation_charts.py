@@ -201,7 +201,7 @@ def tolerance(data):
         right.axvline(1, color=plot.BLACK, linewidth=0.8)
         right.axvline(MOST_SAMPLES, color=plot.GREY, linewidth=0.8, linestyle="--", label="target")
         right.set_xlim(0, 1.08)
-        right.legend(loc="lower left")
+        right.legend(loc="upper right")
     plot.label(right, "samples taken", "samples by tolerance / by fixed steps")
     return drawn
 
