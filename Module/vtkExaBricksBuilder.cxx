@@ -101,10 +101,10 @@ struct vtkExaBricksBuilder::vtkInternals
 private:
   std::string FindArrays(const exabricks::AMRInput& input, exabricks::AMRCellSource& source,
     exabricks::BrickedVolume& bricked);
-  std::string FindArray(
-    vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name);
+  std::string FindArray(vtkImageData* grid, int amrLevel, bool takesPoints,
+    vtkSmartPointer<vtkDataArray>& array, std::string& name);
   std::string FindSecondArray(
-    vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array);
+    vtkImageData* grid, int amrLevel, bool takesPoints, vtkSmartPointer<vtkDataArray>& array);
   std::string CheckArray(vtkDataArray* array, vtkImageData* grid, bool onPoints) const;
   vtkSmartPointer<vtkDataArray> ToCells(vtkDataArray* array, vtkImageData* grid);
   bool UpdateStructure(const exabricks::Hierarchy& hierarchy, double& seconds);
@@ -126,7 +126,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
         << levels[0] << " to " << levels[1] << ". Call SetLevelRange().");
     return nullptr;
   }
-  const exabricks::AMRInput input = exabricks::readAMR(amr,
+  exabricks::AMRInput input = exabricks::readAMR(amr,
     { static_cast<unsigned int>(std::max(levels[0], 0)), static_cast<unsigned int>(levels[1]) });
   if (!input.fault.empty())
   {
@@ -137,6 +137,12 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   {
     this->ReportedUnread = true; // once, as the next time step is read as this one
     vtkWarningWithObjectMacro(this->Self, << input.unread);
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (this->Self->GetInputArrayToProcess(0, input.grids.front(), association) &&
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    exabricks::takePoints(input);
   }
   exabricks::AMRCellSource source(
     input, this->Self->VectorMode == COMPONENT ? this->Self->VectorComponent : -1);
@@ -155,6 +161,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   bricked->origin = input.hierarchy.origin;
   bricked->spacing = input.hierarchy.spacing;
   bricked->amrLevel = input.amrLevel;
+  bricked->onPoints = input.onPoints;
   bricked->joined = this->Self->SecondArrayName != nullptr;
   bricked->volume.structure = this->Structure;
   this->ReadValues(source, *bricked);
@@ -170,8 +177,8 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
   for (std::size_t b = 0; b < input.grids.size(); ++b)
   {
     vtkSmartPointer<vtkDataArray> array;
-    const std::string fault = this->FindArray(
-      input.grids[b], input.amrLevel[input.hierarchy.blocks[b].level], array, bricked.arrayName);
+    const std::string fault = this->FindArray(input.grids[b],
+      input.amrLevel[input.hierarchy.blocks[b].level], input.onPoints, array, bricked.arrayName);
     if (!fault.empty())
     {
       return fault;
@@ -198,7 +205,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
       }
       vtkSmartPointer<vtkDataArray> second;
       const std::string missing = this->FindSecondArray(
-        input.grids[b], input.amrLevel[input.hierarchy.blocks[b].level], second);
+        input.grids[b], input.amrLevel[input.hierarchy.blocks[b].level], input.onPoints, second);
       if (!missing.empty())
       {
         return missing;
@@ -211,7 +218,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
 
 // The same of the second array, which belongs to the same cells or points.
 std::string vtkExaBricksBuilder::vtkInternals::FindSecondArray(
-  vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array)
+  vtkImageData* grid, int amrLevel, bool takesPoints, vtkSmartPointer<vtkDataArray>& array)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   this->Self->GetInputArrayToProcess(0, grid, association);
@@ -238,7 +245,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindSecondArray(
     return "expected a component below " + std::to_string(components) + " of array '" +
       this->Self->SecondArrayName + "', found " + std::to_string(this->Self->SecondComponent);
   }
-  array = onPoints ? this->ToCells(array, grid) : array;
+  array = onPoints && !takesPoints ? this->ToCells(array, grid) : array;
   return {};
 }
 
@@ -262,15 +269,16 @@ vtkSmartPointer<vtkDataArray> vtkExaBricksBuilder::vtkInternals::ToCells(
     this->ReportedConversion = true;
     vtkWarningWithObjectMacro(this->Self,
       "'" << nameOf(array)
-          << "' is a point array: it is "
+          << "' is a point array of several blocks, or of hidden cells: it is "
              "converted to cells with vtkPointDataToCellData.");
   }
   return convertToCells(grid, array);
 }
 
-// The block's array, as one of cells. Returns why there is none that can be drawn.
-std::string vtkExaBricksBuilder::vtkInternals::FindArray(
-  vtkImageData* grid, int amrLevel, vtkSmartPointer<vtkDataArray>& array, std::string& name)
+// The block's array, as one of cells, unless points are taken. Returns why there is none that can
+// be drawn.
+std::string vtkExaBricksBuilder::vtkInternals::FindArray(vtkImageData* grid, int amrLevel,
+  bool takesPoints, vtkSmartPointer<vtkDataArray>& array, std::string& name)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   array = this->Self->GetInputArrayToProcess(0, grid, association);
@@ -298,7 +306,7 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArray(
       "', found " + std::to_string(components) +
       ". Call SetVectorModeToMagnitude(), or SetVectorModeToComponent() and SetVectorComponent()";
   }
-  array = onPoints ? this->ToCells(array, grid) : array;
+  array = onPoints && !takesPoints ? this->ToCells(array, grid) : array;
   return {};
 }
 

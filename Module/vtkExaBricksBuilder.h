@@ -6,7 +6,9 @@
  * Takes a vtkOverlappingAMR in 3-D with any number of levels, any whole refinement ratio per level
  * and anisotropic spacing, and makes a vtkExaBricksData of one of its arrays, of any type. Choose
  * the array with SetInputArrayToProcess(0, 0, 0, association, name); without it the active cell
- * scalars are taken. Point arrays are converted with vtkPointDataToCellData.
+ * scalars are taken. Point arrays of an AMR of one block are drawn as VTK's mappers draw those of
+ * an image: values between points are interpolated, and each point counts as a cell of the output.
+ * Those of several blocks are converted to cells with vtkPointDataToCellData.
  *
  * Blocks may be null: a coarse cell counts as covered only where a finer block is really there.
  * Arrays may be larger than the AMR box (ghost layers). Cells marked HIDDENCELL in vtkGhostType,

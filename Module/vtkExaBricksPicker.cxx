@@ -161,7 +161,8 @@ void vtkExaBricksPicker::FindCell(
   const BrickedVolume& bricked, vtkOverlappingAMR* amr, const double inCell[3])
 {
   const exabricks::Structure& structure = *bricked.volume.structure;
-  const auto leaf = exabricks::findLeafCell(structure, glm::dvec3(inCell[0], inCell[1], inCell[2]));
+  const glm::dvec3 place(inCell[0], inCell[1], inCell[2]);
+  const auto leaf = exabricks::findLeafCell(structure, place);
   if (!leaf || !amr)
   {
     return;
@@ -174,7 +175,7 @@ void vtkExaBricksPicker::FindCell(
         ? std::numeric_limits<double>::quiet_NaN()
         : values.range.min + normalized * (values.range.max - values.range.min));
   }
-  const exabricks::CellOfBlock cell = exabricks::BlockSearch(amr, bricked).find(*leaf);
+  const exabricks::CellOfBlock cell = exabricks::BlockSearch(amr, bricked).find(*leaf, place);
   this->Level = cell.level;
   this->Block = cell.block;
   this->CellId = cell.id;

@@ -13,6 +13,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
@@ -183,6 +184,12 @@ int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
 }
 
 vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays() { return this->Internals->Rays; }
+
+vtkDataSet* vtkExaBricksVolumeMapper::GetDataSetInput()
+{
+  vtkDataSet* only = this->GetInput();
+  return only && only->GetPointData()->GetScalars() ? only : nullptr;
+}
 
 vtkDataSet* vtkExaBricksVolumeMapper::GetInput(int port)
 {

@@ -270,7 +270,8 @@ public:
   /**
    * An array that has the opacity, beside the one with the colours: they are drawn as two dependent
    * components, whatever the property's IndependentComponents. Of the same cells or points; of an
-   * array with several components one, or -1: their magnitude. Null (default): there is none.
+   * array with several components one, or -1: their magnitude; of Transfer2DYAxisArray too. Null
+   * (default): there is none.
    */
   vtkSetStringMacro(OpacityArrayName);
   vtkGetStringMacro(OpacityArrayName);
@@ -397,6 +398,10 @@ public:
   vtkDataSet* GetInput() override { return this->GetInput(0); }
   vtkDataSet* GetInput(int port) override;
   ///@}
+
+  /// The same, if that block has scalars at its points: vtkCellPicker and vtkVolumePicker take it
+  /// for the image to pick in.
+  vtkDataSet* GetDataSetInput() override;
 
   double* GetBounds() override;
   void GetBounds(double bounds[6]) override { this->vtkVolumeMapper::GetBounds(bounds); }

@@ -47,7 +47,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::ConfigureBuilder()
   const bool planar = this->Self->Transfer2DYAxisArray != nullptr;
   builder->SetSecondArrayName(
     planar ? this->Self->Transfer2DYAxisArray : this->Self->OpacityArrayName);
-  builder->SetSecondComponent(planar ? 0 : this->Self->OpacityComponent);
+  builder->SetSecondComponent(this->Self->OpacityComponent);
   builder->SetVectorMode(this->Self->VectorMode);
   builder->SetVectorComponent(this->Self->VectorComponent);
   builder->SetLevelRange(this->Self->LevelRange);

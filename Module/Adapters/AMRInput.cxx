@@ -350,6 +350,25 @@ AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels)
   return Reader(amr, levels).read();
 }
 
+bool takePoints(AMRInput& input)
+{
+  const bool only = input.grids.size() == 1;
+  vtkImageData* grid = only ? input.grids.front().Get() : nullptr;
+  if (!only ||
+    findGhosts(grid->GetCellData(), grid->GetNumberOfCells(), vtkDataSetAttributes::HIDDENCELL))
+  {
+    return false;
+  }
+  Hierarchy& hierarchy = input.hierarchy;
+  Box& cells = hierarchy.blocks.front().cells;
+  cells.hi += std::int64_t(1);
+  hierarchy.origin -= 0.5 * hierarchy.spacing;
+  hierarchy.shown = Box{ cells.lo * std::int64_t(2) + std::int64_t(1),
+    cells.hi * std::int64_t(2) - std::int64_t(1) };
+  input.onPoints = true;
+  return true;
+}
+
 AMRCellSource::AMRCellSource(const AMRInput& input, int component)
   : Component(component)
   , FirstComponent(component)
@@ -361,8 +380,16 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     Source& source = this->Sources[b];
     int points[3];
     grid->GetDimensions(points);
-    source.gridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
     source.first = input.hierarchy.blocks[b].cells.lo - input.offsets[b];
+    if (input.onPoints)
+    {
+      source.gridCells = Int3(points[0], points[1], points[2]);
+      source.hidden = vtkDataSetAttributes::HIDDENPOINT;
+      source.ghosts = findGhosts(grid->GetPointData(), grid->GetNumberOfPoints(), source.hidden);
+      continue;
+    }
+    source.gridCells = Int3(points[0] - 1, points[1] - 1, points[2] - 1);
+    source.hidden = vtkDataSetAttributes::HIDDENCELL;
     source.pointGhosts = findGhosts(
       grid->GetPointData(), grid->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
     source.ghosts = findGhosts(grid->GetCellData(), grid->GetNumberOfCells(), AnyKind);
@@ -448,7 +475,7 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
     {
       for (std::int64_t i = 0; i < count; ++i, ++values)
       {
-        if (source.ghosts[row + i] & vtkDataSetAttributes::HIDDENCELL)
+        if (source.ghosts[row + i] & source.hidden)
         {
           *values = HiddenValue;
         }

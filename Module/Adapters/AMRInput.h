@@ -24,6 +24,7 @@ struct AMRInput
   std::vector<int> amrLevel; // [level of the hierarchy], its number in the AMR
   std::vector<vtkSmartPointer<vtkImageData>> grids; // [block]
   std::vector<Int3> offsets; // [block], of its AMR box in the cells of its grid (ghost layers)
+  bool onPoints = false;     // see takePoints()
   std::string fault;         // empty, or why it cannot be drawn
   std::string unread;        // empty, or how much less than there is a reader has read
 };
@@ -39,6 +40,11 @@ struct LevelRange
 /// they were not there.
 AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels = {});
 
+/// Takes the points of an only block for the middles of cells, and shows what lies between them, so
+/// that its point arrays are drawn as VTK draws those of an image. False: there are several blocks,
+/// or cells are hidden, which are no cells then.
+bool takePoints(AMRInput& input);
+
 /// Reads cells of the blocks' arrays, of any type; hidden cells as absent ones.
 class AMRCellSource : public CellSource
 {
@@ -49,7 +55,7 @@ public:
   /// Reads another component; cells of which any component is not finite are absent then.
   void selectOfAll(int component);
 
-  /// The block's array, one value for each cell of its grid.
+  /// The block's array, one value for each cell of its grid, or each point, if they were taken.
   void setArray(int block, vtkDataArray* array);
   /// Another one: of all, what setArray() has set is component 0 then, and this is component 1.
   /// Which of its own components: as for the constructor.
@@ -65,7 +71,8 @@ private:
     vtkSmartPointer<vtkDataArray> array;
     vtkSmartPointer<vtkDataArray> second;       // null: there is none
     const unsigned char* ghosts = nullptr;      // vtkGhostType of each cell, or null
-    const unsigned char* pointGhosts = nullptr; // of each point, if some are hidden, or null
+    const unsigned char* pointGhosts = nullptr; // of corners of cells, if some are hidden, or null
+    unsigned char hidden = 0;                   // its bit for what is hidden
     bool hasDuplicates = false;
     Int3 gridCells{ 0 }; // cells of the grid along each axis
     Int3 first{ 0 };     // what to subtract from a cell of the level to get a cell of the grid

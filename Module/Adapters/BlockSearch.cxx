@@ -17,8 +17,12 @@ BlockSearch::BlockSearch(vtkOverlappingAMR* amr, const BrickedVolume& bricked)
 {
 }
 
-CellOfBlock BlockSearch::find(const LeafCell& leaf)
+CellOfBlock BlockSearch::find(const LeafCell& leaf, const glm::dvec3& inCell)
 {
+  if (this->Bricked.onPoints)
+  {
+    return this->CellBetweenPoints(this->Bricked.world(inCell));
+  }
   const Structure& structure = *this->Bricked.volume.structure;
   // The cell may be the rest of a coarser one, which finer blocks cover in part.
   const std::vector<std::int64_t>& widths = structure.hierarchy.cellWidth;
@@ -46,6 +50,25 @@ CellOfBlock BlockSearch::find(const LeafCell& leaf)
           return found;
         }
       }
+    }
+  }
+  return {};
+}
+
+CellOfBlock BlockSearch::CellBetweenPoints(const glm::dvec3& place) const
+{
+  CellOfBlock found{ this->Bricked.amrLevel.front(), 0 };
+  const auto level = static_cast<unsigned int>(found.level);
+  const int blocks = this->AMR ? static_cast<int>(numberOfBlocks(this->AMR, level)) : 0;
+  for (; found.block < blocks; ++found.block)
+  {
+    auto* grid = vtkImageData::SafeDownCast(
+      getBlock(this->AMR, level, static_cast<unsigned int>(found.block)));
+    double fractions[3];
+    if (grid && grid->ComputeStructuredCoordinates(&place.x, found.ijk, fractions))
+    {
+      found.id = grid->ComputeCellId(found.ijk);
+      return found;
     }
   }
   return {};

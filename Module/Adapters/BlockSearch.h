@@ -27,10 +27,13 @@ public:
   /// `amr` is what `bricked` was made of. Both have to live as long as this.
   BlockSearch(vtkOverlappingAMR* amr, const BrickedVolume& bricked);
 
-  /// Takes time by the number of blocks, but where the block is the one found last.
-  CellOfBlock find(const LeafCell& leaf);
+  /// `inCell`: a place in the leaf cell, in half cells. Takes time by the number of blocks, but
+  /// where the block is the one found last.
+  CellOfBlock find(const LeafCell& leaf, const glm::dvec3& inCell);
 
 private:
+  // The cell that holds a place of the only block, of which points are drawn.
+  CellOfBlock CellBetweenPoints(const glm::dvec3& place) const;
   // Where a cell would be in a block, if it is there; a duplicate of another block's counts only
   // where it is asked for.
   CellOfBlock CellIn(int amrLevel, int block, const glm::dvec3& cell, const glm::dvec3& middle,

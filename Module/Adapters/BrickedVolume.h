@@ -20,6 +20,7 @@ struct BrickedVolume
   std::string arrayName;
   int components = 1;         // of the array, of which the volume may have one, or all
   bool joined = false;        // the second component is that of another array
+  bool onPoints = false;      // cells are around the points of the AMR's only block
   double brightest = 1.0;     // what the array's type has for the brightest red, green or blue
   double structureTime = 0.0; // s
   double valuesTime = 0.0;    // s

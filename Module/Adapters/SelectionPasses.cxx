@@ -145,7 +145,7 @@ std::string SelectionPasses::SelectCells(
   {
     const std::optional<LeafCell> leaf =
       seen[i] ? findLeafCell(structure, seen[i]->inCell) : std::nullopt;
-    const CellOfBlock cell = leaf ? blocks.find(*leaf) : CellOfBlock();
+    const CellOfBlock cell = leaf ? blocks.find(*leaf, seen[i]->inCell) : CellOfBlock();
     if (cell.id >= 0)
     {
       this->Selected.push_back({ i, cell });

@@ -28,6 +28,10 @@ Hierarchy withoutFinestLevel(const Structure& structure)
     const int level = std::min(brick.level, coarsest);
     hierarchy.blocks.push_back({ level, outwardToCells(structure.box(brick), width[level]) });
   }
+  if (const std::optional<Box>& shown = structure.hierarchy.shown)
+  {
+    hierarchy.shown = Box{ shown->lo / width[coarsest], shown->hi / width[coarsest] };
+  }
   return hierarchy;
 }
 
@@ -162,11 +166,19 @@ std::int64_t factorOf(const Structure& finer)
 {
   return finer.hierarchy.cellWidth[finer.hierarchy.cellWidth.size() - 2];
 }
+
+// Whether the part that is drawn ends at half cells of those that are left.
+bool isShownInHalfCells(const Structure& finer)
+{
+  const std::optional<Box>& shown = finer.hierarchy.shown;
+  const Int3 factor(factorOf(finer));
+  return !shown || (shown->lo % factor == Int3(0) && shown->hi % factor == Int3(0));
+}
 }
 
 std::optional<CoarserStructure> coarsen(const Structure& finer)
 {
-  if (finer.hierarchy.levels() < 2 || finer.bricks.empty())
+  if (finer.hierarchy.levels() < 2 || finer.bricks.empty() || !isShownInHalfCells(finer))
   {
     return std::nullopt;
   }

@@ -11,6 +11,7 @@
 #include "Core/Box.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Hierarchy
   std::vector<Block> blocks;           // those that are really there
   glm::dvec3 origin{ 0.0 };            // world position of logical (0, 0, 0)
   glm::dvec3 spacing{ 1.0 };           // world size of a finest cell
+  /// Half finest cells from logical (0, 0, 0): what is drawn, if not all. Cells beyond it count for
+  /// what is in it.
+  std::optional<Box> shown;
 
   Box logicalBox(const Block& block) const
   {
@@ -42,7 +46,8 @@ struct Hierarchy
   /// Whether lattice and blocks are the same, so that bricks and regions can be kept.
   bool sameStructure(const Hierarchy& other) const
   {
-    return this->cellWidth == other.cellWidth && this->blocks == other.blocks;
+    return this->cellWidth == other.cellWidth && this->blocks == other.blocks &&
+      this->shown == other.shown;
   }
 };
 

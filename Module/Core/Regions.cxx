@@ -14,6 +14,8 @@ struct HalfBox
 {
   glm::ivec3 lo, hi;
 
+  bool empty() const { return glm::any(glm::lessThanEqual(this->hi, this->lo)); }
+
   double area() const
   {
     const glm::dvec3 s = glm::dvec3(this->hi) - glm::dvec3(this->lo);
@@ -33,7 +35,7 @@ class Builder
 public:
   Builder(const std::vector<Brick>& bricks, const Box& bounds,
     const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits,
-    const Progress& progress)
+    const Progress& progress, const std::optional<Box>& shown)
     : Limits(limits)
     , Report(progress)
   {
@@ -42,26 +44,34 @@ public:
     this->Bricks.reserve(bricks.size());
     this->Supports.reserve(bricks.size());
     this->Widths.reserve(bricks.size());
+    const Int3 size(this->Tree.size);
+    const Int3 corner = bounds.lo * std::int64_t(2);
+    const Box part = shown ? Box{ shown->lo - corner, shown->hi - corner } : Box{ Int3(0), size };
+    const auto inPart = [&](const Int3& lo, const Int3& hi) {
+      return HalfBox{ glm::ivec3(glm::max(lo, part.lo)), glm::ivec3(glm::min(hi, part.hi)) };
+    };
     for (const Brick& brick : bricks)
     {
       const std::int64_t width = cellWidth[brick.level];
       const Box box = brick.box(width);
       const Int3 lo = (box.lo - bounds.lo) * std::int64_t(2);
       const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
-      this->Bricks.push_back({ glm::ivec3(lo), glm::ivec3(hi) });
+      this->Bricks.push_back(inPart(lo, hi));
       this->Widths.push_back(width);
-      const Int3 size(this->Tree.size);
-      this->Supports.push_back(
-        { glm::ivec3(glm::max(lo - width, Int3(0))), glm::ivec3(glm::min(hi + width, size)) });
+      this->Supports.push_back(inPart(glm::max(lo - width, Int3(0)), glm::min(hi + width, size)));
     }
   }
 
   RegionTree build()
   {
-    this->Lists.resize(this->Supports.size());
+    this->Lists.reserve(this->Supports.size());
     for (std::size_t i = 0; i < this->Supports.size(); ++i)
     {
-      this->Lists[i] = checkIndex(i);
+      const std::uint32_t index = checkIndex(i);
+      if (!this->Supports[i].empty())
+      {
+        this->Lists.push_back(index);
+      }
     }
     this->Tree.nodes.push_back({});
     this->BuildNode({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
@@ -283,8 +293,9 @@ private:
 }
 
 RegionTree buildRegions(const std::vector<Brick>& bricks, const Box& bounds,
-  const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits, const Progress& progress)
+  const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits, const Progress& progress,
+  const std::optional<Box>& shown)
 {
-  return Builder(bricks, bounds, cellWidth, limits, progress).build();
+  return Builder(bricks, bounds, cellWidth, limits, progress, shown).build();
 }
 }

@@ -20,7 +20,8 @@ Structure buildStructure(Hierarchy hierarchy, const Progress& progress)
   structure.bricks = buildBricks(leaves, width, DefaultBrickCells, part(0.3, 0.5));
   if (!structure.bricks.empty())
   {
-    structure.tree = buildRegions(structure.bricks, leaves.bounds, width, {}, part(0.5, 1.0));
+    structure.tree = buildRegions(
+      structure.bricks, leaves.bounds, width, {}, part(0.5, 1.0), structure.hierarchy.shown);
   }
   return structure;
 }

@@ -136,6 +136,51 @@ TEST(Regions, ListAllBricksThatReachIntoThemInAscendingOrder)
   }
 }
 
+TEST(Regions, OfAShownPartAreThoseOfAllCutAtItsFaces)
+{
+  for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Box all = scaled(built.leaves.bounds, 2);
+    const Int3 size = all.size();
+    const Box shown{ all.lo + size / std::int64_t(3), all.hi - size / std::int64_t(4) };
+    const RegionTree tree =
+      buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, {}, shown);
+    ASSERT_EQ(tree.bounds, built.tree().bounds);
+    const Int3 corner = all.lo;
+    const Box part{ shown.lo - corner, shown.hi - corner };
+    std::vector<int> visits(tree.regions.size(), 0);
+    visitLeaves(tree, 0, { Int3(0), Int3(tree.size) }, visits);
+    ASSERT_EQ(visits, std::vector<int>(visits.size(), 1));
+    // Of each place's bricks none that reach there are missing, and beyond the part there are none.
+    Lattice leaf(built.leaves.bounds, 0);
+    for (const LeafBox& box : built.leaves.boxes)
+    {
+      leaf.fill(box.box, 1);
+    }
+    for (const layout::Region& region : tree.regions)
+    {
+      const Box box{ Int3(region.lo), Int3(region.hi) };
+      ASSERT_TRUE(region.brickCount == 0 || part.contains(box));
+      forEachPoint(intersection(box, part),
+        [&](const Int3& half)
+        {
+          const int inLeaf = leaf[built.leaves.bounds.lo + half / std::int64_t(2)];
+          ASSERT_EQ(inLeaf, region.brickCount > 0 ? 1 : 0);
+        });
+      const auto list = tree.brickLists.begin() + region.firstBrick;
+      for (std::size_t b = 0; b < built.bricks().size() && region.brickCount > 0; ++b)
+      {
+        const bool reaches = supportInHalfCells(built, built.bricks()[b]).intersects(box);
+        ASSERT_EQ(reaches,
+          std::find(list, list + region.brickCount, static_cast<std::uint32_t>(b)) !=
+            list + region.brickCount);
+      }
+    }
+  }
+}
+
 TEST(Regions, KeepListsShortWhereFewBricksMeet)
 {
   // The face between two bricks, the edge of four, the corner of eight: nothing longer, and what
