@@ -15,6 +15,7 @@
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,6 +24,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVTransferFunction2D.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
@@ -213,12 +215,13 @@ bool vtkExaBricksRepresentation::SelectArray(vtkOverlappingAMR* amr)
     this->Mapper->SetScalarModeToUseCellFieldData();
   }
   this->Mapper->SelectScalarArray(name);
+  this->SelectTransfer2D();
 
   vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
   const bool component = color->GetVectorMode() == vtkScalarsToColors::COMPONENT;
   vtkDataArray* array = exabricks::getFirstBlock(amr)->GetAttributes(association)->GetArray(name);
   const int components = array ? array->GetNumberOfComponents() : 1;
-  const bool each = !this->SelectSecondArray(amr, association) &&
+  const bool each = !this->SelectSecondArray(amr, association) && !this->UseTransfer2D &&
     ((this->Components == DEPENDENT && (components == 2 || components == 4)) ||
       (this->Components == INDEPENDENT && components > 1 && components <= VTK_MAX_VRCOMP));
   this->Mapper->SetVectorMode(each ? vtkExaBricksVolumeMapper::DISABLED
@@ -230,25 +233,45 @@ bool vtkExaBricksRepresentation::SelectArray(vtkOverlappingAMR* amr)
 
 bool vtkExaBricksRepresentation::SelectSecondArray(vtkOverlappingAMR* amr, int association)
 {
-  const bool wanted = this->UseSeparateOpacityArray && !this->OpacityArrayName.empty();
-  const bool fits = wanted && this->OpacityArrayAssociation == association;
-  if (wanted && !fits && !this->ReportedOpacityArray)
+  const bool planar = this->UseTransfer2D && !this->UseGradientForTransfer2D;
+  const bool opacity = this->UseSeparateOpacityArray && !this->UseTransfer2D;
+  const OtherArray& other = planar ? this->ColorArray2 : this->OpacityArray;
+  const bool wanted = (planar || opacity) && !other.name.empty();
+  const bool fits = wanted && other.association == association;
+  if (wanted && !fits && !this->ReportedSecondArray)
   {
-    vtkWarningMacro("Expected an opacity array of the same cells or points as the array to color "
-                    "by, found '"
-      << this->OpacityArrayName
-      << "' of others. Choose another one; until then opacities are those of "
-      << "the array to color by.");
+    vtkWarningMacro(
+      "Expected " << (planar ? "a second array for the 2-D transfer function" : "an opacity array")
+                  << " of the same cells or points as the array to color by, found '" << other.name
+                  << "' of others. Choose another one; until then "
+                  << (planar ? "its gradient's magnitude counts."
+                             : "opacities are those of the array to color by."));
   }
-  this->ReportedOpacityArray = wanted && !fits;
-  this->Mapper->SetOpacityArrayName(fits ? this->OpacityArrayName.c_str() : nullptr);
-  vtkDataArray* array = fits ? exabricks::getFirstBlock(amr)
-                                 ->GetAttributes(association)
-                                 ->GetArray(this->OpacityArrayName.c_str())
-                             : nullptr;
-  const bool magnitude = array && this->OpacityComponent >= array->GetNumberOfComponents();
-  this->Mapper->SetOpacityComponent(magnitude ? -1 : this->OpacityComponent);
+  this->ReportedSecondArray = wanted && !fits;
+  const char* const name = fits ? other.name.c_str() : nullptr;
+  this->Mapper->SetTransfer2DYAxisArray(planar ? name : nullptr);
+  this->Mapper->SetOpacityArrayName(planar ? nullptr : name);
+  vtkDataArray* array =
+    fits ? exabricks::getFirstBlock(amr)->GetAttributes(association)->GetArray(name) : nullptr;
+  const bool magnitude = array && other.component >= array->GetNumberOfComponents();
+  this->Mapper->SetOpacityComponent(magnitude ? -1 : other.component);
   return fits;
+}
+
+void vtkExaBricksRepresentation::SelectTransfer2D()
+{
+  vtkImageData* image = nullptr;
+  if (this->UseTransfer2D && this->TransferFunction2D)
+  {
+    this->TransferFunction2D->Build(); // if it was changed
+    image = this->TransferFunction2D->GetFunction();
+  }
+  if (this->Property->GetTransferFunction2D() != image)
+  {
+    this->Property->SetTransferFunction2D(image);
+  }
+  this->Property->SetTransferFunctionMode(
+    this->UseTransfer2D ? vtkVolumeProperty::TF_2D : vtkVolumeProperty::TF_1D);
 }
 
 bool vtkExaBricksRepresentation::AddToView(vtkView* view)
@@ -377,16 +400,43 @@ void vtkExaBricksRepresentation::SetUseSeparateOpacityArray(bool use)
   this->UseSeparateOpacityArray = use;
 }
 
+void vtkExaBricksRepresentation::OtherArray::Select(int ofAssociation, const char* ofName)
+{
+  this->association = ofAssociation;
+  this->name = ofName ? ofName : "";
+}
+
 void vtkExaBricksRepresentation::SelectOpacityArray(
   int, int, int, int association, const char* name)
 {
-  this->OpacityArrayAssociation = association;
-  this->OpacityArrayName = name ? name : "";
+  this->OpacityArray.Select(association, name);
 }
 
 void vtkExaBricksRepresentation::SelectOpacityArrayComponent(int component)
 {
-  this->OpacityComponent = component;
+  this->OpacityArray.component = component;
+}
+
+void vtkExaBricksRepresentation::SetUseTransfer2D(bool use) { this->UseTransfer2D = use; }
+
+void vtkExaBricksRepresentation::SetTransferFunction2D(vtkPVTransferFunction2D* function)
+{
+  this->TransferFunction2D = function;
+}
+
+void vtkExaBricksRepresentation::SetUseGradientForTransfer2D(bool use)
+{
+  this->UseGradientForTransfer2D = use;
+}
+
+void vtkExaBricksRepresentation::SelectColorArray2(int, int, int, int association, const char* name)
+{
+  this->ColorArray2.Select(association, name);
+}
+
+void vtkExaBricksRepresentation::SelectColorArray2Component(int component)
+{
+  this->ColorArray2.component = component;
 }
 
 void vtkExaBricksRepresentation::SetUseNanColor(bool use) { this->Mapper->SetUseNanColor(use); }

@@ -30,6 +30,7 @@ class vtkExaBricksVolumeMapper;
 class vtkImplicitFunction;
 class vtkOutlineSource;
 class vtkOverlappingAMR;
+class vtkPVTransferFunction2D;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
@@ -100,6 +101,19 @@ public:
 
   ///@{
   /**
+   * A 2-D transfer function in place of colors and opacities, as for vtkVolumeRepresentation, with
+   * blend mode composite: of the array to color by, and of its gradient's magnitude or of another
+   * array of the same cells or points.
+   */
+  void SetUseTransfer2D(bool use);
+  void SetTransferFunction2D(vtkPVTransferFunction2D* function);
+  void SetUseGradientForTransfer2D(bool use);
+  void SelectColorArray2(int index, int port, int connection, int association, const char* name);
+  void SelectColorArray2Component(int component);
+  ///@}
+
+  ///@{
+  /**
    * Of the mapper, see vtkExaBricksVolumeMapper. Where several ranks draw, the error tolerance is
    * not used.
    */
@@ -139,8 +153,20 @@ private:
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
   bool SelectArray(vtkOverlappingAMR* amr);
-  // Hands the mapper the array with the opacities, if there is one of these cells or points.
+  // An array beside the one to color by.
+  struct OtherArray
+  {
+    std::string name;
+    int association = 0;
+    int component = 0; // the number of its components stands for their magnitude
+
+    void Select(int ofAssociation, const char* name);
+  };
+  // Hands the mapper the array with the opacities, or with the second variable of a 2-D function,
+  // if there is one of these cells or points.
   bool SelectSecondArray(vtkOverlappingAMR* amr, int association);
+  // Hands the property the 2-D function, where it is used.
+  void SelectTransfer2D();
   // Called after each picture.
   void UpdateStatistics();
 
@@ -153,10 +179,12 @@ private:
   double Bounds[6];                    // of the blocks in it
   int Components = ONE;
   bool UseSeparateOpacityArray = false;
-  std::string OpacityArrayName;
-  int OpacityArrayAssociation = 0;
-  int OpacityComponent = 0;
-  bool ReportedOpacityArray = false;
+  OtherArray OpacityArray;
+  bool UseTransfer2D = false;
+  bool UseGradientForTransfer2D = true;
+  OtherArray ColorArray2;
+  vtkSmartPointer<vtkPVTransferFunction2D> TransferFunction2D;
+  bool ReportedSecondArray = false;
   bool ReportedNoArray = false;
   vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };

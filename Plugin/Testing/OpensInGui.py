@@ -74,6 +74,13 @@ def look():
         begin(f"the pictures are compared: {likeness:.1f} dB, at least 55")
         assert likeness >= 55.0
         assert "active" in statistics(display), statistics(display)
+        begin("a 2-D transfer function is used")
+        display.TransferFunction2D.Range = [0.0, 1.0, 0.0, 1.0]
+        display.TransferFunction2D.Boxes = [0.4, 0.0, 0.6, 1.0, 1.0, 0.0, 0.0, 0.5]
+        display.UseTransfer2D = 1
+        simple.Render(view)
+        red = picture(view, "planar", ImageResolution=[240, 180])
+        assert red[..., 0].sum() > 10.0 * red[..., 1].sum(), (red[..., 0].sum(), red[..., 1].sum())
         status = 0
     except BaseException:
         begin(traceback.format_exc())
