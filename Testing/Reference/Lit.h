@@ -5,18 +5,14 @@
 
 #include "Core/Box.h"
 #include "Core/Lighting.h"
+#include "Reference/FieldFunction.h"
 
-#include <functional>
 #include <glm/matrix.hpp>
-#include <optional>
 
 namespace exabricks
 {
 namespace reference
 {
-/// The normalised value at a logical position; none where nothing is.
-using FieldFunction = std::function<std::optional<double>(const glm::dvec3& logical)>;
-
 /// By differences, by logical coordinates. One-sided beside places where nothing is; in the
 /// outermost half cell, where the field is constant along an axis, its slope goes on.
 glm::dvec3 findGradient(const FieldFunction& field, const Box& bounds, const glm::dvec3& place);

@@ -20,7 +20,7 @@ double extinctionOf(double opacity) { return -std::log1p(-std::min(opacity, 1.0 
 class Mixture
 {
 public:
-  Mixture(const std::vector<const Oracle*>& components, const Box& bounds, const Medium& medium,
+  Mixture(const std::vector<FieldFunction>& components, const Box& bounds, const Medium& medium,
     const MixtureSettings& settings)
     : Components(components)
     , Bounds(bounds)
@@ -90,8 +90,7 @@ private:
     bool there = true;
     for (std::size_t k = 0; k < values.size(); ++k)
     {
-      const std::optional<double> value =
-        this->Components[k]->sample(place, this->Settings.reconstruction);
+      const std::optional<double> value = this->Components[k](place);
       there = there && value;
       values[k] = value.value_or(0.0);
     }
@@ -122,10 +121,7 @@ private:
     double second = values.back();
     if (values.size() == 1)
     {
-      const Oracle& component = *this->Components[0];
-      const glm::dvec3 gradient = findGradient([&](const glm::dvec3& at)
-        { return component.sample(at, Reconstruction::Basis); },
-        this->Bounds, place);
+      const glm::dvec3 gradient = findGradient(this->Components[0], this->Bounds, place);
       second = std::min(this->Space.magnitudeOf(gradient) / layout::GREATEST_GRADIENT, 1.0);
     }
     return this->Looks.planar.evaluate(values[0], second);
@@ -153,10 +149,7 @@ private:
       glm::dvec3 gradient(0.0);
       if (this->Settings.lighting || !this->Settings.gradientOpacity.empty())
       {
-        const Oracle& component = *this->Components[this->ComponentOf(i)];
-        gradient = findGradient([&](const glm::dvec3& at)
-          { return component.sample(at, Reconstruction::Basis); },
-          this->Bounds, place);
+        gradient = findGradient(this->Components[this->ComponentOf(i)], this->Bounds, place);
       }
       if (!this->Settings.gradientOpacity.empty())
       {
@@ -241,7 +234,7 @@ private:
     return any ? glm::dvec4(grey, grey, grey, 1.0) : glm::dvec4(0.0);
   }
 
-  const std::vector<const Oracle*>& Components;
+  const std::vector<FieldFunction>& Components;
   const Box& Bounds;
   const Medium& Looks;
   const MixtureSettings& Settings;
@@ -251,7 +244,7 @@ private:
 };
 }
 
-Image drawMixture(const std::vector<const Oracle*>& components, const Box& bounds, const View& view,
+Image drawMixture(const std::vector<FieldFunction>& components, const Box& bounds, const View& view,
   const Medium& medium, const MixtureSettings& settings)
 {
   const Mixture mixture(components, bounds, medium, settings);

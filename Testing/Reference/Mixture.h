@@ -7,7 +7,6 @@
 #include "Core/Blending.h"
 #include "Core/Medium.h"
 #include "Reference/Lit.h"
-#include "Reference/Oracle.h"
 
 namespace exabricks
 {
@@ -21,14 +20,13 @@ struct MixtureSettings
   /// As ShadedSettings has it, of each function of opacity; empty: by 1.
   std::vector<std::function<double(double)>> gradientOpacity;
   glm::dmat4 logicalToWorld{ 1.0 }; // affine
-  Reconstruction reconstruction = Reconstruction::Basis;
   double opacityUnitDistance = 1.0; // world
   double step = 1.0 / 32.0;         // in the finest cells
 };
 
-/// `components`: of each, in their order. `bounds`: logical; outside of them nothing is sampled.
-/// The view's depth and cut do not count.
-Image drawMixture(const std::vector<const Oracle*>& components, const Box& bounds, const View& view,
+/// `components`: of each, in their order; asked from several threads. `bounds`: logical; outside of
+/// them nothing is sampled. The view's depth and cut do not count.
+Image drawMixture(const std::vector<FieldFunction>& components, const Box& bounds, const View& view,
   const Medium& medium, const MixtureSettings& settings);
 }
 }

@@ -7,7 +7,7 @@ namespace exabricks
 {
 namespace reference
 {
-Image project(const Oracle& oracle, const Box& bounds, const View& view,
+Image project(const FieldFunction& field, const Box& bounds, const View& view,
   const TransferFunction& transfer, const ProjectionSettings& settings)
 {
   // A mixture of one component.
@@ -16,10 +16,9 @@ Image project(const Oracle& oracle, const Box& bounds, const View& view,
   MixtureSettings mixture;
   mixture.blending = settings.blending;
   mixture.averageRanges[0] = settings.averageRange;
-  mixture.reconstruction = settings.reconstruction;
   mixture.opacityUnitDistance = settings.opacityUnitDistance;
   mixture.step = settings.step;
-  return drawMixture({ &oracle }, bounds, view, medium, mixture);
+  return drawMixture({ field }, bounds, view, medium, mixture);
 }
 }
 }

@@ -5,7 +5,7 @@
 #define ExaBricksReferenceProjection_h
 
 #include "Core/Blending.h"
-#include "Reference/Oracle.h"
+#include "Reference/FieldFunction.h"
 
 namespace exabricks
 {
@@ -14,14 +14,13 @@ namespace reference
 struct ProjectionSettings
 {
   Blending blending = Blending::Maximum;
-  Reconstruction reconstruction = Reconstruction::Basis;
   double opacityUnitDistance = 1.0;    // world
   glm::dvec2 averageRange{ 0.0, 1.0 }; // normalised
   double step = 1.0 / 32.0;            // in the finest cells
 };
 
 /// `bounds`: logical; outside of them nothing is sampled. The view's depth and cut do not count.
-Image project(const Oracle& oracle, const Box& bounds, const View& view,
+Image project(const FieldFunction& field, const Box& bounds, const View& view,
   const TransferFunction& transfer, const ProjectionSettings& settings);
 }
 }

@@ -150,7 +150,8 @@ protected:
     SceneRenderer subject(parts[0]);
     Volume volume = subject.plain;
     std::vector<std::unique_ptr<reference::Oracle>> oracles;
-    std::vector<const reference::Oracle*> truths;
+    const bool nearest = reconstruction == Reconstruction::Nearest;
+    std::vector<reference::FieldFunction> truths;
     for (int k = 0; k < given.components; ++k)
     {
       if (k > 0)
@@ -159,7 +160,8 @@ protected:
       }
       oracles.push_back(std::make_unique<reference::Oracle>(
         parts[k].hierarchy, findLeafBoxes(parts[k].hierarchy), parts[k].cells));
-      truths.push_back(oracles.back().get());
+      truths.push_back(reference::fieldOf(*oracles.back(),
+        nearest ? reference::Reconstruction::Nearest : reference::Reconstruction::Basis));
     }
     const Medium medium = makeMedium(given.mixing, given.components);
     subject.renderer.setVolume(volume);
@@ -172,12 +174,7 @@ protected:
       : subject.look(
           { -0.6, 0.5, -0.4 }, 30.0, request.blending == Blending::Composite ? Pixels : Pixels / 2);
     reference::MixtureSettings settings;
-    settings.reconstruction = reconstruction == Reconstruction::Nearest
-      ? reference::Reconstruction::Nearest
-      : reference::Reconstruction::Basis;
-    settings.step = reconstruction == Reconstruction::Nearest ? 1.0 / 128
-      : byGradient                                            ? 1.0 / 16
-                                                              : 1.0 / 32;
+    settings.step = nearest ? 1.0 / 128 : byGradient ? 1.0 / 16 : 1.0 / 32;
     settings.opacityUnitDistance = UnitDistance;
     settings.blending = subject.blending = request.blending;
     settings.logicalToWorld = reference::logicalToWorld(scene.hierarchy);

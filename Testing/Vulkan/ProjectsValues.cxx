@@ -73,15 +73,15 @@ protected:
       subject.scene.hierarchy, findLeafBoxes(subject.scene.hierarchy), subject.scene.cells);
     reference::ProjectionSettings settings;
     settings.blending = subject.blending;
-    settings.reconstruction = subject.reconstruction == Reconstruction::Nearest
-      ? reference::Reconstruction::Nearest
-      : reference::Reconstruction::Basis;
+    const bool nearest = subject.reconstruction == Reconstruction::Nearest;
     // Corners of cells, that rays pass through on a short length, count as much as others.
-    settings.step = subject.reconstruction == Reconstruction::Nearest ? 1.0 / 256 : 1.0 / 32;
+    settings.step = nearest ? 1.0 / 256 : 1.0 / 32;
     settings.opacityUnitDistance = subject.opacityUnitDistance;
     settings.averageRange = subject.averageRanges[0];
     return reference::project(
-      oracle, subject.structure.tree.bounds, view, subject.transfer, settings);
+      reference::fieldOf(
+        oracle, nearest ? reference::Reconstruction::Nearest : reference::Reconstruction::Basis),
+      subject.structure.tree.bounds, view, subject.transfer, settings);
   }
 };
 }

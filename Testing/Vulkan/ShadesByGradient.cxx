@@ -57,12 +57,6 @@ Lighting threeLights(const glm::dvec3& size)
   return lighting;
 }
 
-reference::FieldFunction fieldOf(const reference::Oracle& oracle)
-{
-  return [&](const glm::dvec3& logical)
-  { return oracle.sample(logical, reference::Reconstruction::Basis); };
-}
-
 struct Case
 {
   SceneRenderer subject;
@@ -88,8 +82,9 @@ struct Case
 
   reference::Image truth() const
   {
-    return reference::renderShaded(fieldOf(this->oracle), this->subject.structure.tree.bounds,
-      this->view, reference::logicalToWorld(this->subject.scene.hierarchy), this->subject.transfer,
+    return reference::renderShaded(reference::fieldOf(this->oracle),
+      this->subject.structure.tree.bounds, this->view,
+      reference::logicalToWorld(this->subject.scene.hierarchy), this->subject.transfer,
       this->settings);
   }
 
