@@ -183,6 +183,46 @@ int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
   return this->Internals->Renderer.statistics().levelsLeftOut;
 }
 
+void vtkExaBricksVolumeMapper::SetDepthImageScalarType(int type)
+{
+  if (type != VTK_FLOAT && type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT)
+  {
+    vtkErrorMacro("Expected VTK_FLOAT, VTK_UNSIGNED_CHAR or VTK_UNSIGNED_SHORT as "
+                  "DepthImageScalarType, found "
+      << type << ". It stays as it was.");
+  }
+  else if (type != this->DepthImageScalarType)
+  {
+    this->DepthImageScalarType = type;
+    this->Modified();
+  }
+}
+
+void vtkExaBricksVolumeMapper::GetColorImage(vtkImageData* image)
+{
+  if (image)
+  {
+    this->Internals->Images.getColors(image);
+  }
+  else
+  {
+    vtkErrorMacro("Expected an image to put the colors into, found none.");
+  }
+}
+
+void vtkExaBricksVolumeMapper::GetDepthImage(vtkImageData* image)
+{
+  if (image)
+  {
+    this->Internals->Images.getDepths(
+      this->DepthImageScalarType, this->ClampDepthToBackface != 0, image);
+  }
+  else
+  {
+    vtkErrorMacro("Expected an image to put the depths into, found none.");
+  }
+}
+
 vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays() { return this->Internals->Rays; }
 
 vtkDataSet* vtkExaBricksVolumeMapper::GetDataSetInput()
@@ -370,6 +410,10 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
+  os << indent << "RenderToImage: " << (this->RenderToImage ? "on" : "off") << "\n";
+  os << indent
+     << "DepthImageScalarType: " << vtkImageScalarTypeNameMacro(this->DepthImageScalarType) << "\n";
+  os << indent << "ClampDepthToBackface: " << (this->ClampDepthToBackface ? "on" : "off") << "\n";
   os << indent << "Device: " << (this->Device ? this->Device : "(best)") << "\n";
   os << indent << "Drawn: " << this->GetDrawn() << "\n";
   os << indent << "DeviceName: " << this->GetDeviceName() << "\n";

@@ -60,6 +60,7 @@
 #include <optional> // for a pick
 
 class vtkExaBricksBuilder;
+class vtkImageData;
 class vtkOverlappingAMR;
 class vtkRenderWindow;
 class vtkStringArray;
@@ -328,6 +329,35 @@ public:
 
   ///@{
   /**
+   * Whether Render() makes images of the size of the viewport and leaves the window as it is, as of
+   * vtkGPUVolumeRayCastMapper. Off by default. Geometry and other volumes do not count for them.
+   * GetColorImage(): red, green, blue, premultiplied, and opacity as bytes, white without opacity
+   * beyond the volume's bounds. GetDepthImage(): window depths of where anything is first seen, of
+   * DepthImageScalarType: VTK_FLOAT in [0, 1] (the default), VTK_UNSIGNED_CHAR or
+   * VTK_UNSIGNED_SHORT up to their greatest number; where nothing is, the greatest, or with
+   * ClampDepthToBackface the depth at which the ray leaves the bounds. Both are without points
+   * until the first picture.
+   */
+  vtkSetMacro(RenderToImage, vtkTypeBool);
+  vtkGetMacro(RenderToImage, vtkTypeBool);
+  vtkBooleanMacro(RenderToImage, vtkTypeBool);
+  virtual void SetDepthImageScalarType(int type);
+  vtkGetMacro(DepthImageScalarType, int);
+  void SetDepthImageScalarTypeToUnsignedChar() { this->SetDepthImageScalarType(VTK_UNSIGNED_CHAR); }
+  void SetDepthImageScalarTypeToUnsignedShort()
+  {
+    this->SetDepthImageScalarType(VTK_UNSIGNED_SHORT);
+  }
+  void SetDepthImageScalarTypeToFloat() { this->SetDepthImageScalarType(VTK_FLOAT); }
+  vtkSetMacro(ClampDepthToBackface, vtkTypeBool);
+  vtkGetMacro(ClampDepthToBackface, vtkTypeBool);
+  vtkBooleanMacro(ClampDepthToBackface, vtkTypeBool);
+  void GetColorImage(vtkImageData* image);
+  void GetDepthImage(vtkImageData* image);
+  ///@}
+
+  ///@{
+  /**
    * The Vulkan device to render on: its index, or part of its name ("NVIDIA", "lavapipe"). Without
    * it (null or empty, the default) the environment variable EXABRICKS_DEVICE decides, and without
    * that the best device is taken. All mappers of a process share a device.
@@ -448,6 +478,9 @@ protected:
   int LevelRange[2] = { 0, VTK_INT_MAX };
   double FinalColorWindow = 1.0;
   double FinalColorLevel = 0.5;
+  vtkTypeBool RenderToImage = 0;
+  int DepthImageScalarType = VTK_FLOAT;
+  vtkTypeBool ClampDepthToBackface = 0;
   char* Device = nullptr;
 
 private:

@@ -7,6 +7,7 @@
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/Compositor.h"
 #include "Adapters/DrawnRenderers.h"
+#include "Adapters/ImageOutput.h"
 #include "Adapters/PropertyInput.h"
 #include "Core/InteractiveSampling.h"
 #include "Vulkan/VolumeRenderer.h"
@@ -24,6 +25,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   vtkSmartPointer<vtkExaBricksBuilder> Builder = vtkSmartPointer<vtkExaBricksBuilder>::New();
   exabricks::VolumeRenderer Renderer;
   exabricks::Compositor Compositor;
+  exabricks::ImageOutput Images; // of RenderToImage
   exabricks::DrawnRenderers Drawn;
   // In the picture of a volume that overlaps the one that this mapper draws.
   exabricks::DrawnRenderers DrawnWithOther;

@@ -5,6 +5,7 @@
 
 #include "Adapters/CutawayInput.h"
 #include "Adapters/LightingInput.h"
+#include "Adapters/OpenGLFramebuffer.h"
 #include "Adapters/ViewInput.h"
 #include "Core/Stopwatch.h"
 #include "Vulkan/JointPicture.h"
@@ -90,6 +91,17 @@ std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Composite(
     auto* amr = vtkOverlappingAMR::SafeDownCast(this->Self->GetDataObjectInput());
     return this->Compositor.drawSelection(ren, makeView, this->Renderer, amr, bricked);
   }
+  if (this->Self->RenderToImage)
+  {
+    const exabricks::Viewport viewport = exabricks::findViewport();
+    if (viewport.width <= 0 || viewport.height <= 0)
+    {
+      return std::string();
+    }
+    return this->Images.draw(this->Renderer,
+      this->MakeView(ren, vol, bricked, viewport.width, viewport.height), sizeOf(bricked),
+      { this->Self->FinalColorWindow, this->Self->FinalColorLevel });
+  }
   double rays = 0.0;
   const auto makeView = [&](int width, int height)
   {
@@ -148,7 +160,7 @@ bool vtkExaBricksVolumeMapper::vtkInternals::MayJoin(
 {
   auto* mapper = vtkExaBricksVolumeMapper::SafeDownCast(candidate->GetMapper());
   if (!mapper || !candidate->GetVisibility() || mapper->GetNumberOfInputConnections(0) == 0 ||
-    mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
+    mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || mapper->GetRenderToImage() ||
     mapper->GetFinalColorWindow() != this->Self->FinalColorWindow ||
     mapper->GetFinalColorLevel() != this->Self->FinalColorLevel ||
     ren->GetViewProps()->IsItemPresent(candidate) == 0)

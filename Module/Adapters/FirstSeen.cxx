@@ -15,46 +15,9 @@ namespace
 // Differences of less than half a step of 8-bit colours do not show.
 constexpr float HalfAColorStep = 0.5f / 255.0f;
 
-struct Line
-{
-  glm::dvec3 from; // half cells
-  glm::dvec3 to;
-};
-
-// The part of the place's line of sight that is in the bounds.
-std::optional<Line> findLine(const View& view, const PlaceInPicture& place, const glm::dvec3& size)
-{
-  const auto unproject = [&](double depth)
-  {
-    const glm::dvec4 at =
-      view.camera.ndcToHalfCells * glm::dvec4(place.ndc, 2.0 * depth - 1.0, 1.0);
-    return glm::dvec3(at) / at.w;
-  };
-  const glm::dvec3 near = unproject(0.0);
-  const glm::dvec3 way = unproject(place.depth) - near;
-  double begin = 0.0;
-  double end = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double first = (0.0 - near[axis]) / way[axis];
-    const double second = (size[axis] - near[axis]) / way[axis];
-    if (way[axis] != 0.0)
-    {
-      begin = std::max(begin, std::min(first, second));
-      end = std::min(end, std::max(first, second));
-    }
-    else if (near[axis] < 0.0 || near[axis] > size[axis])
-    {
-      return std::nullopt;
-    }
-  }
-  return begin < end ? std::make_optional(Line{ near + begin * way, near + end * way })
-                     : std::nullopt;
-}
-
 // A camera whose pixels all look along the line, with depths that go evenly from its one end to the
 // other.
-glm::dmat4 lookAlong(const Line& line)
+glm::dmat4 lookAlong(const LineOfSight& line)
 {
   const glm::dvec3 half = 0.5 * (line.to - line.from);
   const glm::dvec3 aside =
@@ -219,10 +182,41 @@ void tightenDepths(View& view, const glm::dvec3& size, std::vector<float>& depth
 }
 }
 
+std::optional<LineOfSight> findLine(
+  const View& view, const PlaceInPicture& place, const glm::dvec3& size)
+{
+  const auto unproject = [&](double depth)
+  {
+    const glm::dvec4 at =
+      view.camera.ndcToHalfCells * glm::dvec4(place.ndc, 2.0 * depth - 1.0, 1.0);
+    return glm::dvec3(at) / at.w;
+  };
+  const glm::dvec3 near = unproject(0.0);
+  const glm::dvec3 way = unproject(place.depth) - near;
+  double begin = 0.0;
+  double end = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = (0.0 - near[axis]) / way[axis];
+    const double second = (size[axis] - near[axis]) / way[axis];
+    if (way[axis] != 0.0)
+    {
+      begin = std::max(begin, std::min(first, second));
+      end = std::min(end, std::max(first, second));
+    }
+    else if (near[axis] < 0.0 || near[axis] > size[axis])
+    {
+      return std::nullopt;
+    }
+  }
+  return begin < end ? std::make_optional(LineOfSight{ near + begin * way, near + end * way })
+                     : std::nullopt;
+}
+
 std::optional<FirstSeen> findFirstSeen(VolumeRenderer& renderer, View view,
   const PlaceInPicture& place, const glm::dvec3& size, double opacity, std::string& fault)
 {
-  const std::optional<Line> line = findLine(view, place, size);
+  const std::optional<LineOfSight> line = findLine(view, place, size);
   if (!line)
   {
     return std::nullopt;

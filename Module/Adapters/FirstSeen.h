@@ -19,6 +19,17 @@ struct PlaceInPicture
   double depth = 1.0; // of the window, in [0, 1]
 };
 
+/// The part of a place's line of sight that is in the bounds, half cells.
+struct LineOfSight
+{
+  glm::dvec3 from;
+  glm::dvec3 to;
+};
+
+/// `size`: of the bounds, half cells. None: it passes them by.
+std::optional<LineOfSight> findLine(
+  const View& view, const PlaceInPicture& place, const glm::dvec3& size);
+
 /// In half cells.
 struct FirstSeen
 {
