@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts a hierarchy's bounds into boxes of about equal numbers of leaf cells, one for each of
+// several processes that draw a part each, and tells which cells a part's pictures depend on.
+#ifndef ExaBricksCoreParts_h
+#define ExaBricksCoreParts_h
+
+#include "Core/LeafBoxes.h"
+
+#include <glm/vec4.hpp>
+
+namespace exabricks
+{
+/// A k-d tree whose leaves are the parts, so that they have an order from any eye.
+struct Parts
+{
+  struct Cut
+  {
+    int axis = -1;          // below 0: a part
+    std::int64_t plane = 0; // logical
+    int lower = 0; // of a cut: index of the lower side, the upper one follows; of a part: its
+                   // number
+  };
+  std::vector<Cut> cuts;  // the root first
+  std::vector<Box> boxes; // [part], logical; disjoint, together the bounds; empty: there was no
+                          // cell left for it
+
+  /// The numbers of the parts that are not empty, those first that hide others. `eye`: a point in
+  /// logical coordinates, or with w = 0 the direction to where parallel rays come from.
+  std::vector<int> frontToBack(const glm::dvec4& eye) const;
+};
+
+/// Each box holds at most a tenth more cells than the mean, if its cells are small beside it. Cuts
+/// lie at faces of the coarsest cells that let it.
+Parts cutIntoParts(
+  const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth, int numberOfParts);
+
+/// How far around a part cells of each level [level] count for what is seen in it, in finest cells.
+/// For a reconstruction between a level's own cells that is one of them; to complete levels, two of
+/// the coarsest ones nearby, as values are extrapolated from their slopes.
+std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
+  const std::vector<std::int64_t>& cellWidth, const Box& part, bool completed);
+}
+
+#endif
