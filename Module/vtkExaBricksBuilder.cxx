@@ -3,6 +3,7 @@
 
 #include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRInput.h"
+#include "Adapters/AMRPart.h"
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/UnfinishedRun.h"
 #include "Core/Stopwatch.h"
@@ -105,6 +106,8 @@ private:
     vtkSmartPointer<vtkDataArray>& array, std::string& name);
   std::string FindSecondArray(
     vtkImageData* grid, int amrLevel, bool takesPoints, vtkSmartPointer<vtkDataArray>& array);
+  std::vector<std::optional<exabricks::Range>> FindWholeRanges(
+    vtkOverlappingAMR* amr, const exabricks::BrickedVolume& bricked) const;
   std::string CheckArray(vtkDataArray* array, vtkImageData* grid, bool onPoints) const;
   vtkSmartPointer<vtkDataArray> ToCells(vtkDataArray* array, vtkImageData* grid);
   bool UpdateStructure(const exabricks::Hierarchy& hierarchy, double& seconds);
@@ -153,6 +156,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
     vtkErrorWithObjectMacro(this->Self, << fault << ".");
     return nullptr;
   }
+  source.setWholeRanges(this->FindWholeRanges(amr, *bricked));
   if (!this->UpdateStructure(input.hierarchy, bricked->structureTime))
   {
     return nullptr;
@@ -214,6 +218,28 @@ std::string vtkExaBricksBuilder::vtkInternals::FindArrays(const exabricks::AMRIn
     }
   }
   return {};
+}
+
+// Of each component that is read, where the AMR is a part of a larger one that tells them.
+std::vector<std::optional<exabricks::Range>> vtkExaBricksBuilder::vtkInternals::FindWholeRanges(
+  vtkOverlappingAMR* amr, const exabricks::BrickedVolume& bricked) const
+{
+  const vtkExaBricksBuilder& self = *this->Self;
+  const bool each = self.VectorMode == DISABLED && !self.SecondArrayName;
+  std::vector<std::optional<exabricks::Range>> ranges;
+  for (int k = 0; k < (each ? bricked.components : 1); ++k)
+  {
+    const int component = bricked.components == 1 ? 0
+      : each                                      ? k
+      : self.VectorMode == COMPONENT              ? self.VectorComponent
+                                                  : -1;
+    ranges.push_back(exabricks::findWholeRange(amr, bricked.arrayName, component));
+  }
+  if (self.SecondArrayName)
+  {
+    ranges.push_back(exabricks::findWholeRange(amr, self.SecondArrayName, self.SecondComponent));
+  }
+  return ranges;
 }
 
 // The same of the second array, which belongs to the same cells or points.

@@ -2,6 +2,9 @@
 // Where a ray is: the region that it is in, and how far it has come there. What it has gathered is
 // kept apart, by the way of blending.
 
+// Cells of a level are there for a part as far beyond it, in steps.
+const float PART_REACH = 2.0;
+
 struct Cursor
 {
   Brick brick; // the first of the region's: most regions have one alone
@@ -69,10 +72,62 @@ float growthOfStep(Ray ray, float step, Accumulator gathered)
                          : growthOfIntervals(gathered);
 }
 
-// `step`: as in ActiveBox. `growth`: of intervals, as their error is seen less.
-void enterRegion(
-  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
+// Of a region's intervals those that lie in the part that is drawn, be it in part, each where it is
+// without parts: so what several processes draw is together what one draws. False: there are none.
+bool keepIntervalsOfPart(Ray ray, float entry, inout Cursor cursor)
 {
+  const float count = float(cursor.intervals);
+  const float first = clamp(floor((ray.partBegin - entry) / cursor.interval), 0.0, count);
+  const float last = clamp(ceil((ray.partEnd - entry) / cursor.interval), 0.0, count);
+  if (last < count)
+  {
+    cursor.exit = entry + last * cursor.interval;
+  }
+  if (first > 0.0)
+  {
+    cursor.entry = entry + first * cursor.interval;
+    cursor.known = false;
+  }
+  cursor.intervals = uint(max(last - first, 0.0));
+  return cursor.intervals > 0;
+}
+
+// Which of an interval is in the part that is drawn, as fractions of it.
+vec2 keptOf(Ray ray, float from, float to)
+{
+  return isPart ? clamp((vec2(ray.partBegin, ray.partEnd) - from) / (to - from), 0.0, 1.0)
+                : vec2(0.0, 1.0);
+}
+
+bool isInPart(Ray ray, float at)
+{
+  return !isPart || (at >= ray.partBegin && at < ray.partEnd);
+}
+
+// `step`: as in ActiveBox. `growth`: of intervals, as their error is seen less.
+void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry, float exit,
+  inout Cursor cursor)
+{
+  // Intervals of a part reach beyond it, where there are cells for them: as far as two of those of
+  // the step go. Others end at its faces; crossings of surfaces are found one by one.
+  const bool keepsIntervals = isPart && !isNearest && step > 0.0 && !jittered &&
+    2.0 * stepScale * growth <= PART_REACH;
+  if (isPart && !keepsIntervals && !(isNearest && isIsosurface))
+  {
+    const bool isEmpty = isSlice ? !isInPart(ray, entry)
+                                 : !(max(entry, ray.partBegin) < min(exit, ray.partEnd));
+    if (isEmpty)
+    {
+      cursor.intervals = 0;
+      cursor.exit = -1.0;
+      return;
+    }
+    if (!isSlice)
+    {
+      entry = max(entry, ray.partBegin);
+      exit = min(exit, ray.partEnd);
+    }
+  }
   cursor.others = firstBrick;
   cursor.brick = nextBrick(cursor.others);
   cursor.intervals = 1;
@@ -100,4 +155,8 @@ void enterRegion(
   }
   cursor.entry = entry;
   cursor.exit = exit;
+  if (keepsIntervals && !keepIntervalsOfPart(ray, entry, cursor))
+  {
+    cursor.exit = -1.0; // nothing is known behind it
+  }
 }

@@ -59,7 +59,10 @@ void addSurfaces(Cursor cursor, Ray ray, float from, float to, float valueFrom, 
       const float at = isNearest
         ? from
         : findCrossing(cursor, ray, isoValue, from, to, valueFrom, valueTo);
-      addSurface(isoValue, cursor, ray, at, gathered);
+      if (isInPart(ray, at))
+      {
+        addSurface(isoValue, cursor, ray, at, gathered);
+      }
     }
   }
 }

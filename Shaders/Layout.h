@@ -257,6 +257,9 @@ struct Frame
   ivec2 planarSize;
 
   vec4 undefined; // extinction of cells whose value is undefined, times red, green, blue, 1
+
+  ivec3 partLower; // of the box that is drawn, where that is a part of the bounds; half cells
+  ivec3 partUpper;
 };
 
 // What one dispatch marches: some rows of a picture, or of a grid of its pixels, spaced evenly
@@ -328,7 +331,7 @@ static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(sizeof(Band) == 40 && sizeof(Refinement) == 80 && sizeof(RayCheck) == 12,
   "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2376 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+  sizeof(Frame) == 2400 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
 static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,
   "as in GLSL's scalar layout");
 } // namespace layout

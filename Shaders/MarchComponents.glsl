@@ -88,9 +88,17 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
       if (!first || isExtremum)
       {
         const float at = cursor.entry + (float(k) - 0.5) / float(count) * length;
-        addComponents(Piece(first ? next : cursor.values, next, units,
-                        0.5 * (cursor.gradients + nextGradients),
-                        spotAt(ray, cursor.brick, at, vec3(0.0))), gathered);
+        const vec4 from = first ? next : cursor.values;
+        const float reach = 0.5 / float(count) * length;
+        const vec2 part = first ? vec2(0.0, 1.0) : keptOf(ray, at - reach, at + reach);
+        if (part.x < part.y)
+        {
+          addComponents(Piece(isPart ? mix(from, next, part.x) : from,
+                          isPart ? mix(from, next, part.y) : next,
+                          isPart ? (part.y - part.x) * units : units,
+                          0.5 * (cursor.gradients + nextGradients),
+                          spotAt(ray, cursor.brick, at, vec3(0.0))), gathered);
+        }
       }
       cursor.values = next;
       cursor.gradients = nextGradients;

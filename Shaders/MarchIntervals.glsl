@@ -26,6 +26,23 @@ bool findEnd(Ray ray, Cursor cursor, out float end)
   return findEnd(ray, cursor, end, absent);
 }
 
+// What of an interval lies in the part that is drawn. What is gathered goes on from its end.
+void addPartOfInterval(
+  float from, float to, float units, vec2 part, Spot spot, inout Accumulator gathered)
+{
+  if (part.x < part.y)
+  {
+    const float first = mix(from, to, part.x);
+    const float last = mix(from, to, part.y);
+    addInterval(first, first, 0.0, true, spot, gathered);
+    addInterval(first, last, (part.y - part.x) * units, false, spot, gathered);
+  }
+  if (!isExtremum)
+  {
+    addInterval(to, to, 0.0, true, spot, gathered);
+  }
+}
+
 // The next interval; at first, the point where the first one begins.
 void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
@@ -60,7 +77,7 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     // The middle that gives the halves together the mean of the parabola through all three (Simpson's
     // rule); but no value that lies beyond them, which the field may not take.
     const float last = cursor.value;
-    if (count == 2)
+    if (count == 2 && isInPart(ray, cursor.entry) && isInPart(ray, end))
     {
       addSamples(last, middle, value, gathered);
     }
@@ -81,7 +98,16 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
         0.5 * (cursor.gradient + nextGradient));
       if (!isIsosurface)
       {
-        addInterval(cursor.value, next, units, first, spot, gathered);
+        const float begin = cursor.entry + float(k - 1) / float(count) * length;
+        const vec2 part = first ? vec2(0.0, 1.0) : keptOf(ray, begin, begin + length / float(count));
+        if (isPart && part != vec2(0.0, 1.0))
+        {
+          addPartOfInterval(cursor.value, next, units, part, spot, gathered);
+        }
+        else
+        {
+          addInterval(cursor.value, next, units, first, spot, gathered);
+        }
       }
       cursor.value = next;
       cursor.gradient = nextGradient;

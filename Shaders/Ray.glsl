@@ -11,6 +11,8 @@ struct Ray
   vec3 inverse;   // 1 / direction
   float begin;    // distances from the origin at which the ray enters the bounds, ...
   float end;      // ... and leaves them, or at which its segment ends
+  float partBegin; // where it is in the part that is drawn
+  float partEnd;
   float unitsPerHalfCell; // length of a step of length 1 in opacity unit distances
 };
 
@@ -67,5 +69,19 @@ bool makeRay(Line line, Pair begin, Pair end, ivec3 size, out Ray ray)
   }
   ray.end = min(reach, min(leave.x, min(leave.y, leave.z)));
   ray.unitsPerHalfCell = line.unitsPerHalfCell;
+  if (isPart)
+  {
+    const ivec3 lower = constants.frame.partLower;
+    const ivec3 upper = constants.frame.partUpper;
+    const vec3 toLower = vec3(planeDistance(ray, lower.x, 0), planeDistance(ray, lower.y, 1),
+      planeDistance(ray, lower.z, 2));
+    const vec3 toUpper = vec3(planeDistance(ray, upper.x, 0), planeDistance(ray, upper.y, 1),
+      planeDistance(ray, upper.z, 2));
+    const vec3 entries = min(toLower, toUpper);
+    const vec3 exits = max(toLower, toUpper);
+    ray.partBegin = max(entries.x, max(entries.y, entries.z));
+    ray.partEnd = min(exits.x, min(exits.y, exits.z));
+    return ray.begin < ray.end && max(ray.partBegin, ray.begin) < min(ray.partEnd, ray.end);
+  }
   return ray.begin < ray.end;
 }

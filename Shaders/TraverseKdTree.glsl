@@ -78,7 +78,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
       if (leaf.link >> 2 != KD_NO_REGION)
       {
         const float step = intBitsToFloat(leaf.plane);
-        enterRegion(leaf.link >> 2, step, growthOfStep(ray, step, gathered), entry,
+        enterRegion(ray, leaf.link >> 2, step, growthOfStep(ray, step, gathered), entry,
           exit, cursor);
       }
     }

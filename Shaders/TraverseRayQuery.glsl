@@ -96,7 +96,7 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
         distance = cross.y;
         continue;
       }
-      enterRegion(box.firstBrick, box.step, growthOfStep(ray, box.step, gathered), cross.x, cross.y,
+      enterRegion(ray, box.firstBrick, box.step, growthOfStep(ray, box.step, gathered), cross.x, cross.y,
         cursor);
       while (cursor.intervals > 0)
       {

@@ -17,10 +17,13 @@ layout(constant_id = 3) const bool clipped = false;
 layout(constant_id = 4) const bool cropped = false;
 // Each pixel's samples lie elsewhere in a region, so that what steps leave out is noise and no bands.
 layout(constant_id = 10) const bool jittered = false;
+// A box of the bounds alone is drawn: the part of one of several processes.
+layout(constant_id = 12) const bool isPart = false;
 #else
 const bool clipped = false;
 const bool cropped = false;
 const bool jittered = false;
+const bool isPart = false;
 #endif
 // How what lies along the ray becomes a colour (Blend.glsl).
 #if defined(FAMILY_PROJECTION)

@@ -2,6 +2,7 @@
 #include "Adapters/AMRInput.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Adapters/AMRPart.h"
 
 #include "vtkAMRBox.h"
 #include "vtkArrayDispatch.h"
@@ -49,12 +50,46 @@ double findRatio(const glm::dvec3& coarse, const glm::dvec3& fine)
   return whole;
 }
 
+}
+
+std::string makeLattice(const std::vector<glm::dvec3>& spacings, const std::vector<int>& amrLevel,
+  const glm::dvec3& origin, Hierarchy& hierarchy)
+{
+  const std::size_t levels = spacings.size();
+  hierarchy.cellWidth.assign(levels, 1);
+  for (std::size_t level = levels - 1; level-- > 0;)
+  {
+    const double ratio = findRatio(spacings[level], spacings[level + 1]);
+    if (!(ratio >= 2.0))
+    {
+      return "expected the same whole refinement ratio of at least 2 along all axes, found "
+             "spacing " +
+        triple(&spacings[level].x) + " on level " + std::to_string(amrLevel[level]) + " and " +
+        triple(&spacings[level + 1].x) + " on level " + std::to_string(amrLevel[level + 1]) +
+        ". Check the spacings of the AMR";
+    }
+    const std::int64_t width = hierarchy.cellWidth[level + 1];
+    if (ratio * static_cast<double>(width) >= static_cast<double>(LatticeLimit))
+    {
+      return describeWideRatio(ratio, amrLevel[level], amrLevel[level + 1], width);
+    }
+    hierarchy.cellWidth[level] = static_cast<std::int64_t>(ratio) * width;
+  }
+  // Of all spacings the coarsest is stored with the least relative error.
+  hierarchy.spacing = spacings.front() / static_cast<double>(hierarchy.cellWidth.front());
+  hierarchy.origin = origin;
+  return {};
+}
+
+namespace
+{
 class Reader
 {
 public:
   Reader(vtkOverlappingAMR* amr, const LevelRange& levels)
     : AMR(amr)
     , Levels(levels)
+    , Part(findPart(amr))
   {
   }
 
@@ -64,6 +99,12 @@ public:
     for (unsigned int level = this->Levels.first;
          level < count && level <= this->Levels.last && this->Ok(); ++level)
     {
+      double spacing[3];
+      this->AMR->GetSpacing(level, spacing);
+      if (this->Part && spacing[0] > 0.0)
+      {
+        this->AddLevel(level);
+      }
       for (unsigned int index = 0; index < numberOfBlocks(this->AMR, level) && this->Ok(); ++index)
       {
         if (vtkDataSet* block = getBlock(this->AMR, level, index))
@@ -140,6 +181,14 @@ private:
     return text.str();
   }
 
+  void AddLevel(unsigned int level)
+  {
+    this->Input.amrLevel.push_back(static_cast<int>(level));
+    double spacing[3];
+    this->AMR->GetSpacing(level, spacing);
+    this->Spacings.emplace_back(spacing[0], spacing[1], spacing[2]);
+  }
+
   void AddBlock(unsigned int level, unsigned int index, vtkDataSet* block)
   {
     vtkImageData* grid = vtkImageData::SafeDownCast(block);
@@ -161,10 +210,7 @@ private:
     }
     if (this->Input.amrLevel.empty() || this->Input.amrLevel.back() != static_cast<int>(level))
     {
-      this->Input.amrLevel.push_back(static_cast<int>(level));
-      double spacing[3];
-      this->AMR->GetSpacing(level, spacing);
-      this->Spacings.emplace_back(spacing[0], spacing[1], spacing[2]);
+      this->AddLevel(level);
     }
     const vtkAMRBox& box = this->AMR->GetAMRBox(level, index);
     Block result;
@@ -213,42 +259,46 @@ private:
     this->Input.offsets.push_back(offset);
   }
 
+  // The whole with this hierarchy's levels.
+  std::shared_ptr<const WholeHierarchy> FindWhole() const
+  {
+    auto whole = std::make_shared<WholeHierarchy>();
+    const std::vector<int>& levels = this->Input.amrLevel;
+    whole->blocks.reserve(this->Part->whole->blocks.size());
+    for (const Block& block : this->Part->whole->blocks)
+    {
+      const auto level = std::lower_bound(levels.begin(), levels.end(), block.level);
+      if (level != levels.end() && *level == block.level)
+      {
+        whole->blocks.push_back({ static_cast<int>(level - levels.begin()), block.cells });
+      }
+    }
+    for (const int level : levels)
+    {
+      const auto& reach = this->Part->whole->reach;
+      whole->reach.push_back(
+        level < static_cast<int>(reach.size()) ? reach[static_cast<std::size_t>(level)] : 0);
+    }
+    return whole;
+  }
+
   void FinishLattice()
   {
-    const std::size_t levels = this->Spacings.size();
-    this->Input.hierarchy.cellWidth.assign(levels, 1);
-    for (std::size_t level = levels - 1; level-- > 0;)
-    {
-      const double ratio = findRatio(this->Spacings[level], this->Spacings[level + 1]);
-      if (!(ratio >= 2.0))
-      {
-        this->Input.fault =
-          "expected the same whole refinement ratio of at least 2 along all axes, found spacing " +
-          triple(&this->Spacings[level].x) + " on level " +
-          std::to_string(this->Input.amrLevel[level]) + " and " +
-          triple(&this->Spacings[level + 1].x) + " on level " +
-          std::to_string(this->Input.amrLevel[level + 1]) + ". Check the spacings of the AMR";
-        return;
-      }
-      const std::int64_t width = this->Input.hierarchy.cellWidth[level + 1];
-      if (ratio * static_cast<double>(width) >= static_cast<double>(LatticeLimit))
-      {
-        this->Input.fault = describeWideRatio(
-          ratio, this->Input.amrLevel[level], this->Input.amrLevel[level + 1], width);
-        return;
-      }
-      this->Input.hierarchy.cellWidth[level] = static_cast<std::int64_t>(ratio) * width;
-    }
-    // Of all spacings the coarsest is stored with the least relative error.
-    this->Input.hierarchy.spacing =
-      this->Spacings.front() / static_cast<double>(this->Input.hierarchy.cellWidth.front());
     const double* origin = this->AMR->GetOrigin();
-    this->Input.hierarchy.origin = { origin[0], origin[1], origin[2] };
-    this->Input.fault = findFault(this->Input.hierarchy);
+    this->Input.fault = makeLattice(this->Spacings, this->Input.amrLevel,
+      { origin[0], origin[1], origin[2] }, this->Input.hierarchy);
+    if (this->Part && this->Ok())
+    {
+      this->Input.isPart = true;
+      this->Input.hierarchy.shown = this->Part->box;
+      this->Input.hierarchy.whole = this->FindWhole();
+    }
+    this->Input.fault = this->Ok() ? findFault(this->Input.hierarchy) : this->Input.fault;
   }
 
   vtkOverlappingAMR* AMR;
   const LevelRange Levels;
+  const std::optional<AMRPart> Part;
   AMRInput Input;
   std::vector<glm::dvec3> Spacings; // [level of the hierarchy]
 };
@@ -411,6 +461,18 @@ void AMRCellSource::selectOfAll(int component)
 {
   this->Component = component;
   this->NeedsAll = true;
+}
+
+void AMRCellSource::setWholeRanges(std::vector<std::optional<Range>> ranges)
+{
+  this->WholeRanges = std::move(ranges);
+}
+
+std::optional<Range> AMRCellSource::wholeRange() const
+{
+  // One component alone is that which was asked for.
+  const std::size_t component = this->NeedsAll ? static_cast<std::size_t>(this->Component) : 0;
+  return component < this->WholeRanges.size() ? this->WholeRanges[component] : std::nullopt;
 }
 
 void AMRCellSource::setArray(int block, vtkDataArray* array)

@@ -27,6 +27,7 @@ struct AMRInput
   bool onPoints = false;     // see takePoints()
   std::string fault;         // empty, or why it cannot be drawn
   std::string unread;        // empty, or how much less than there is a reader has read
+  bool isPart = false;       // of a larger one
 };
 
 /// Levels of an AMR, from the one number to the other.
@@ -36,8 +37,15 @@ struct LevelRange
   unsigned int last = std::numeric_limits<unsigned int>::max();
 };
 
-/// Reads boxes, origin and spacing, and no values. Levels outside of the range are left out, as if
-/// they were not there.
+/// Sets the hierarchy's widths, origin and spacing by the spacing of each of its levels, whose
+/// numbers in the AMR are for messages. Returns what was expected, what was found and what to do,
+/// or nothing.
+std::string makeLattice(const std::vector<glm::dvec3>& spacings, const std::vector<int>& amrLevel,
+  const glm::dvec3& origin, Hierarchy& hierarchy);
+
+/// Reads boxes, origin and spacing, and no values. An AMR that is a part of a larger one (AMRPart)
+/// has the lattice of all of its levels, and shows its part. Levels outside of the range are left
+/// out, as if they were not there.
 AMRInput readAMR(vtkOverlappingAMR* amr, const LevelRange& levels = {});
 
 /// Takes the points of an only block for the middles of cells, and shows what lies between them, so
@@ -61,7 +69,11 @@ public:
   /// Which of its own components: as for the constructor.
   void setSecondArray(int block, vtkDataArray* array, int component);
 
+  /// The range to normalise each component to, of those that are read; none: that of the cells.
+  void setWholeRanges(std::vector<std::optional<Range>> ranges);
+
   void read(int block, const Box& cells, double* values) const override;
+  std::optional<Range> wholeRange() const override;
   bool hasDuplicates(int block) const override;
   void readDuplicates(int block, const Box& cells, unsigned char* duplicate) const override;
 
@@ -85,6 +97,7 @@ private:
   int FirstComponent;
   int SecondComponent = 0;
   bool NeedsAll = false; // components to be finite
+  std::vector<std::optional<Range>> WholeRanges;
   std::vector<Source> Sources;
 };
 }

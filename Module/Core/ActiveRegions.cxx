@@ -95,6 +95,14 @@ private:
     return { { plane, makeLink(place, static_cast<std::uint32_t>(axis)) }, range };
   }
 
+  // Of a part of a hierarchy there are regions around what is shown.
+  bool IsInPart(const layout::Region& region) const
+  {
+    const std::optional<Box>& shown = this->Subject.hierarchy.shown;
+    const Int3 corner = this->Tree.bounds.lo * std::int64_t(2);
+    return !shown || shown->intersects({ Int3(region.lo) + corner, Int3(region.hi) + corner });
+  }
+
   bool ShowsUndefined(const layout::Region& region) const
   {
     const auto first = this->Tree.brickLists.begin() + region.firstBrick;
@@ -133,7 +141,8 @@ private:
       ++this->NextGrid;
     }
     const bool undefined = this->ShowsUndefined(region);
-    if (region.brickCount == 0 || (!undefined && !this->ShowsRegion(index)))
+    if (region.brickCount == 0 || !this->IsInPart(region) ||
+      (!undefined && !this->ShowsRegion(index)))
     {
       return {};
     }

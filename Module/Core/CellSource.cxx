@@ -7,6 +7,8 @@ namespace exabricks
 {
 CellSource::~CellSource() = default;
 
+std::optional<Range> CellSource::wholeRange() const { return std::nullopt; }
+
 bool CellSource::hasDuplicates(int) const { return false; }
 
 void CellSource::readDuplicates(int, const Box& cells, unsigned char* duplicate) const

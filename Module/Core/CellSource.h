@@ -4,8 +4,10 @@
 #define ExaBricksCoreCellSource_h
 
 #include "Core/Box.h"
+#include "Core/Range.h"
 
 #include <limits>
+#include <optional>
 
 namespace exabricks
 {
@@ -21,6 +23,8 @@ public:
   /// `block` of the hierarchy, x fastest. A value that is not finite stands for an absent cell:
   /// HiddenValue for one that never shows, any other for one whose value is undefined.
   virtual void read(int block, const Box& cells, double* values) const = 0;
+  /// The range that values are normalised to; none: that of the leaf cells.
+  virtual std::optional<Range> wholeRange() const;
   /// Whether the block has cells that another block of the level holds too and knows better.
   virtual bool hasDuplicates(int block) const;
   /// Writes 1 for such cells, 0 for others.

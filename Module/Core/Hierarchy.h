@@ -11,6 +11,7 @@
 #include "Core/Box.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,18 @@ struct Block
   }
 };
 
+/// Of which another hierarchy has the cells around the box that it shows.
+struct WholeHierarchy
+{
+  std::vector<Block> blocks;       // all, wherever they are
+  std::vector<std::int64_t> reach; // [level]: how far around that box there are cells, finest cells
+
+  bool operator==(const WholeHierarchy& other) const
+  {
+    return this->blocks == other.blocks && this->reach == other.reach;
+  }
+};
+
 struct Hierarchy
 {
   std::vector<std::int64_t> cellWidth; // [level], finest cells; each a multiple of the next, last 1
@@ -36,7 +49,10 @@ struct Hierarchy
   glm::dvec3 spacing{ 1.0 };           // world size of a finest cell
   /// Half finest cells from logical (0, 0, 0): what is drawn, if not all. Cells beyond it count for
   /// what is in it.
-  std::optional<Box> shown;
+  std::optional<Box> shown{};
+  /// Bricks and regions are those of the whole, as far as they are shown, so that samples are where
+  /// they are for the whole; null: this is all.
+  std::shared_ptr<const WholeHierarchy> whole{};
 
   Box logicalBox(const Block& block) const
   {
@@ -47,7 +63,8 @@ struct Hierarchy
   bool sameStructure(const Hierarchy& other) const
   {
     return this->cellWidth == other.cellWidth && this->blocks == other.blocks &&
-      this->shown == other.shown;
+      this->shown == other.shown &&
+      (this->whole == other.whole || (this->whole && other.whole && *this->whole == *other.whole));
   }
 };
 

@@ -8,6 +8,12 @@ namespace exabricks
 {
 namespace
 {
+// Two samples at most are beyond a part, an interval of cells apart (Shaders/Cursor.glsl).
+constexpr std::int64_t StepsBeyond = 2;
+// Of the coarsest level nearby: the cell that is extended, its neighbours by which its slope is
+// found, and a cell of the level that is completed.
+constexpr std::int64_t CellsToComplete = 3;
+
 Box grown(const Box& box, std::int64_t by) { return { box.lo - by, box.hi + by }; }
 
 class Cutter
@@ -192,13 +198,18 @@ std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
 {
   if (!completed && leaves.partlyCoveredBoxes == 0)
   {
-    return cellWidth;
+    std::vector<std::int64_t> reach = cellWidth;
+    for (std::int64_t& cells : reach)
+    {
+      cells *= 1 + StepsBeyond;
+    }
+    return reach;
   }
   std::int64_t widest = 0;
   for (const LeafBox& leaf : leaves.boxes)
   {
     const std::int64_t width = cellWidth[leaf.level];
-    if (width > widest && leaf.box.intersects(grown(part, 2 * width)))
+    if (width > widest && leaf.box.intersects(grown(part, (CellsToComplete + StepsBeyond) * width)))
     {
       widest = width;
     }
@@ -206,7 +217,7 @@ std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
   std::vector<std::int64_t> reach;
   for (const std::int64_t width : cellWidth)
   {
-    reach.push_back(2 * std::max(width, widest));
+    reach.push_back((CellsToComplete + StepsBeyond) * std::max(width, widest));
   }
   return reach;
 }

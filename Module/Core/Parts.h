@@ -35,8 +35,9 @@ Parts cutIntoParts(
   const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth, int numberOfParts);
 
 /// How far around a part cells of each level [level] count for what is seen in it, in finest cells.
-/// For a reconstruction between a level's own cells that is one of them; to complete levels, two of
-/// the coarsest ones nearby, as values are extrapolated from their slopes.
+/// For a reconstruction between a level's own cells that is one of them; to complete levels, three
+/// of the coarsest ones nearby, as values are extrapolated from their slopes. Two more, as the last
+/// interval of samples may end beyond the part.
 std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
   const std::vector<std::int64_t>& cellWidth, const Box& part, bool completed);
 }

@@ -35,7 +35,7 @@ class Builder
 public:
   Builder(const std::vector<Brick>& bricks, const Box& bounds,
     const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits,
-    const Progress& progress, const std::optional<Box>& shown)
+    const Progress& progress, const std::optional<Box>& shown, bool whole)
     : Limits(limits)
     , Report(progress)
   {
@@ -46,7 +46,9 @@ public:
     this->Widths.reserve(bricks.size());
     const Int3 size(this->Tree.size);
     const Int3 corner = bounds.lo * std::int64_t(2);
-    const Box part = shown ? Box{ shown->lo - corner, shown->hi - corner } : Box{ Int3(0), size };
+    const Box bounded{ Int3(0), size };
+    this->Shown = shown ? Box{ shown->lo - corner, shown->hi - corner } : bounded;
+    const Box part = whole ? bounded : this->Shown;
     const auto inPart = [&](const Int3& lo, const Int3& hi) {
       return HalfBox{ glm::ivec3(glm::max(lo, part.lo)), glm::ivec3(glm::min(hi, part.hi)) };
     };
@@ -128,6 +130,11 @@ private:
   {
     if (this->Aborted)
     {
+      return;
+    }
+    if (!this->Shown.intersects({ Int3(box.lo), Int3(box.hi) }))
+    {
+      this->AddRegion(box, node, this->Lists.size(), fraction);
       return;
     }
     const std::size_t count = this->Lists.size() - begin;
@@ -281,6 +288,7 @@ private:
   const RegionLimits Limits;
   const Progress& Report;
   RegionTree Tree;
+  Box Shown; // half cells from the bounds' lower corner
   std::vector<HalfBox> Bricks;
   std::vector<HalfBox> Supports;
   std::vector<std::int64_t> Widths; // of the bricks' cells, finest cells
@@ -294,8 +302,8 @@ private:
 
 RegionTree buildRegions(const std::vector<Brick>& bricks, const Box& bounds,
   const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits, const Progress& progress,
-  const std::optional<Box>& shown)
+  const std::optional<Box>& shown, bool whole)
 {
-  return Builder(bricks, bounds, cellWidth, limits, progress, shown).build();
+  return Builder(bricks, bounds, cellWidth, limits, progress, shown, whole).build();
 }
 }

@@ -35,12 +35,12 @@ struct RegionLimits
 /// The support of a brick is its box grown by half its own cell. Regions are cut at the faces of
 /// supports, and at the faces of bricks where data end: a region lies in leaf cells altogether or
 /// holds none (no bricks). Lists are in ascending order. `shown`: as of a Hierarchy; regions beyond
-/// it hold nothing, and those in it what they would hold without it. Returns no nodes if `progress`
-/// aborts. Throws std::length_error, with words for the user, if there are too many for the nodes'
-/// links.
+/// it hold nothing, and those in it what they would hold without it. Those in between are cut at
+/// its faces, or left `whole`. Returns no nodes if `progress` aborts. Throws std::length_error,
+/// with words for the user, if there are too many for the nodes' links.
 RegionTree buildRegions(const std::vector<Brick>& bricks, const Box& bounds,
   const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits = {},
-  const Progress& progress = {}, const std::optional<Box>& shown = {});
+  const Progress& progress = {}, const std::optional<Box>& shown = {}, bool whole = false);
 }
 
 #endif

@@ -180,24 +180,27 @@ Values gatherValues(const Structure& structure, const CellSource& source, const 
   Values values;
   const std::vector<Brick>& bricks = structure.bricks;
   const BrickReader reader(structure.hierarchy, source);
-  std::vector<Range> ranges(bricks.size());
-  const bool ranged = forEachBrick(structure, 0.0, progress,
-    [&](std::size_t b, BrickReader::Scratch& scratch)
-    {
-      reader.read(bricks[b], scratch);
-      for (const double value : scratch.values)
+  const std::optional<Range> whole = source.wholeRange();
+  std::vector<Range> ranges(whole ? 0 : bricks.size());
+  const bool ranged = whole ||
+    forEachBrick(structure, 0.0, progress,
+      [&](std::size_t b, BrickReader::Scratch& scratch)
       {
-        if (std::isfinite(value))
+        reader.read(bricks[b], scratch);
+        for (const double value : scratch.values)
         {
-          ranges[b].add(value);
+          if (std::isfinite(value))
+          {
+            ranges[b].add(value);
+          }
         }
-      }
-    });
+      });
   for (const Range& range : ranges)
   {
     values.range.add(range);
   }
   std::vector<Range>().swap(ranges);
+  values.range = whole.value_or(values.range);
   if (!ranged)
   {
     return values;

@@ -17,7 +17,7 @@ constexpr std::uint64_t ParallelCells = 1 << 17;
 
 struct Values
 {
-  Range range;                   // of the leaf cells that have a value, as the source gave it
+  Range range; // of the leaf cells that have a value, or the source's wholeRange()
   std::vector<float> normalized; // brick after brick, in [0, 1] of the range, or layout::ABSENT
                                  // or UNDEFINED
   /// Cells around each brick that have values too: 0, or 1 where levels are completed (Completion).
@@ -45,9 +45,10 @@ struct Values
 /// Values::firstValue for bricks with so many cells around each.
 std::vector<std::uint64_t> findFirstValues(const std::vector<Brick>& bricks, int layer);
 
-/// All but the ranges. Reads every leaf cell twice: for the range, then to normalise in double
-/// precision. `source` has the blocks of the structure's hierarchy. Returns no values if `progress`
-/// aborts. What the source or `progress` throws is thrown on.
+/// All but the ranges. Reads every leaf cell twice, unless the source has a wholeRange(): for the
+/// range, then to normalise in double precision. `source` has the blocks of the structure's
+/// hierarchy. Returns no values if `progress` aborts. What the source or `progress` throws is
+/// thrown on.
 Values gatherValues(
   const Structure& structure, const CellSource& source, const Progress& progress = {});
 

@@ -10,7 +10,15 @@ namespace vulkan
 DeviceVolume::DeviceVolume(std::shared_ptr<Device> device, const Volume& volume)
   : Owner(std::move(device))
   , Size(volume.structure->tree.size)
+  , PartLower(0)
+  , PartUpper(volume.structure->tree.size)
 {
+  if (const std::optional<Box>& shown = volume.structure->hierarchy.shown)
+  {
+    const Int3 corner = volume.structure->tree.bounds.lo * std::int64_t(2);
+    this->PartLower = glm::ivec3(shown->lo - corner);
+    this->PartUpper = glm::ivec3(shown->hi - corner);
+  }
   this->UploadLists(volume.structure->tree);
   this->MakeValueBuffers(volume);
   this->setValues(volume);
@@ -167,6 +175,8 @@ vk::DeviceSize DeviceVolume::bytes() const
 void DeviceVolume::fill(layout::Frame& frame) const
 {
   frame.size = this->Size;
+  frame.partLower = this->PartLower;
+  frame.partUpper = this->PartUpper;
   frame.bricks = this->Bricks.address();
   frame.brickLists = this->BrickLists.address();
   frame.nodes = this->Nodes.address();

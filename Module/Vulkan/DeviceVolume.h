@@ -46,8 +46,10 @@ private:
   void UploadExtremes(const std::vector<float>& extremes);
 
   std::shared_ptr<Device> Owner;
-  glm::ivec3 Size; // half cells
-  int Layer = 0;   // of the values
+  glm::ivec3 Size;      // half cells
+  glm::ivec3 PartLower; // what is drawn of it
+  glm::ivec3 PartUpper;
+  int Layer = 0; // of the values
   std::vector<unsigned char> BrickHasAbsentCells;
   std::vector<ValueBuffer> Values;
   Buffer Bricks;

@@ -74,7 +74,7 @@ const Family& familyOf(const MarchVariant& variant)
   {
     case Blending::Composite:
       return variant.shaded || variant.hasGradientOpacity || variant.clipped || variant.cropped ||
-          variant.jittered || variant.showsUndefined
+          variant.jittered || variant.showsUndefined || variant.isPart
         ? composite
         : plain;
     case Blending::Isosurface:

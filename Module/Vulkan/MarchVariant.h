@@ -27,6 +27,7 @@ struct MarchVariant
   bool cropped = false;            // for views with cropping
   bool jittered = false;           // for views whose samples are
   bool showsUndefined = false;     // for views with an undefinedColor
+  bool isPart = false;             // for volumes of which a part is drawn
   std::uint32_t components = 1;    // of each cell; several are blended by Composite, unshaded
   Mixing mixing = Mixing::Independent;
 };
@@ -35,7 +36,7 @@ inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
     variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
-    variant.cropped, variant.jittered, variant.showsUndefined, variant.components, variant.mixing);
+    variant.cropped, variant.jittered, variant.showsUndefined, variant.isPart, variant.components, variant.mixing);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

@@ -175,6 +175,7 @@ struct VolumeRenderer::Internals
     variant.jittered =
       view.quality.jittered && view.quality.reconstruction != Reconstruction::Nearest;
     variant.showsUndefined = this->Appearance.showsUndefined();
+    variant.isPart = this->Levels.volume().structure->hierarchy.whole != nullptr;
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
     variant.mixing =
       this->Appearance.isMixed() ? this->Appearance.medium().mixing : Mixing::Independent;

@@ -181,6 +181,39 @@ TEST(Regions, OfAShownPartAreThoseOfAllCutAtItsFaces)
   }
 }
 
+TEST(Regions, OfAPartThatAreLeftWholeAreThoseOfAll)
+{
+  for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const Box all = scaled(built.leaves.bounds, 2);
+    const Int3 size = all.size();
+    const Box shown{ all.lo + size / std::int64_t(3), all.hi - size / std::int64_t(4) };
+    const RegionTree whole = buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth());
+    const RegionTree tree =
+      buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, {}, shown, true);
+    // Both are in the order of their trees' leaves.
+    const auto listsOf = [&](const RegionTree& of)
+    {
+      std::vector<std::vector<std::int64_t>> lists;
+      for (const layout::Region& region : of.regions)
+      {
+        const Box box{ Int3(region.lo) + all.lo, Int3(region.hi) + all.lo };
+        if (region.brickCount > 0 && box.intersects(shown))
+        {
+          lists.push_back(
+            { region.lo.x, region.lo.y, region.lo.z, region.hi.x, region.hi.y, region.hi.z });
+          const auto first = of.brickLists.begin() + region.firstBrick;
+          lists.back().insert(lists.back().end(), first, first + region.brickCount);
+        }
+      }
+      return lists;
+    };
+    ASSERT_EQ(listsOf(tree), listsOf(whole));
+  }
+}
+
 TEST(Regions, KeepListsShortWhereFewBricksMeet)
 {
   // The face between two bricks, the edge of four, the corner of eight: nothing longer, and what

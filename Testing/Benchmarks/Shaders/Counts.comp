@@ -46,10 +46,10 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 #undef marchOn
 
 void enterRegion(
-  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
+  Ray ray, uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
 {
   ++counts.b;
-  enterUncounted(firstBrick, step, growth, entry, exit, cursor);
+  enterUncounted(ray, firstBrick, step, growth, entry, exit, cursor);
 }
 
 void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)

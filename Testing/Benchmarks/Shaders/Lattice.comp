@@ -35,10 +35,10 @@
 
 float latticeStep; // of the region that the ray is in
 
-void enterRegion(
-  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
+void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry, float exit,
+  inout Cursor cursor)
 {
-  enterRegionAndFit(firstBrick, step, growth, entry, exit, cursor);
+  enterRegionAndFit(ray, firstBrick, step, growth, entry, exit, cursor);
   latticeStep = 2.0 * stepScale * abs(step);
   cursor.halved = true;
   cursor.intervals = 1;

@@ -29,10 +29,10 @@
 #undef enterRegion
 #include "MarchIntervals.glsl"
 
-void enterRegion(
-  uint firstBrick, float step, float growth, float entry, float exit, inout Cursor cursor)
+void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry, float exit,
+  inout Cursor cursor)
 {
-  enterRegionForMeans(firstBrick, step, growth, entry, exit, cursor);
+  enterRegionForMeans(ray, firstBrick, step, growth, entry, exit, cursor);
   const float interval = stepScale * abs(step);
   const float count = max(ceil((exit - entry) / interval), 1.0);
   cursor.interval = cursor.cut ? interval : (exit - entry) / count;
