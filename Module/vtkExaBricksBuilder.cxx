@@ -14,6 +14,7 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -90,6 +91,7 @@ struct vtkExaBricksBuilder::vtkInternals
   std::shared_ptr<const exabricks::Structure> Structure; // kept while the boxes stay the same
   bool ReportedConversion = false;
   bool ReportedUnread = false;
+  bool ReportedWhole = false;
   exabricks::UnfinishedRun Unfinished;
 
   explicit vtkInternals(vtkExaBricksBuilder* self)
@@ -140,6 +142,16 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   {
     this->ReportedUnread = true; // once, as the next time step is read as this one
     vtkWarningWithObjectMacro(this->Self, << input.unread);
+  }
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (processes && processes->GetNumberOfProcesses() > 1 && !input.isPart && !this->ReportedWhole)
+  {
+    this->ReportedWhole = true;
+    vtkWarningWithObjectMacro(this->Self,
+      "This is one of "
+        << processes->GetNumberOfProcesses()
+        << " processes, and the AMR is not shared out among them: what each draws is "
+           "neither whole nor in order. Put a vtkExaBricksRedistribute before it.");
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   if (this->Self->GetInputArrayToProcess(0, input.grids.front(), association) &&

@@ -108,7 +108,7 @@ void vtkExaBricksRedistribute::GetFrontToBack(
     processes->InsertNextId(0);
     return;
   }
-  const exabricks::Redistribution& shared = this->Internals->Redistribution;
+  const exabricks::SharedStructure& shared = this->Internals->Redistribution.structure();
   const glm::dmat4 fromWorld = toWorld ? glm::inverse(exabricks::toGLM(toWorld)) : glm::dmat4(1.0);
   double eye[3];
   double backward[3];
@@ -128,7 +128,7 @@ void vtkExaBricksRedistribute::GetFrontToBack(
 void vtkExaBricksRedistribute::GetPartBounds(int process, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
-  const exabricks::Redistribution& shared = this->Internals->Redistribution;
+  const exabricks::SharedStructure& shared = this->Internals->Redistribution.structure();
   const auto& boxes = shared.parts().boxes;
   if (process < 0 || process >= static_cast<int>(boxes.size()) ||
     boxes[static_cast<std::size_t>(process)].empty())
@@ -145,9 +145,14 @@ void vtkExaBricksRedistribute::GetPartBounds(int process, double bounds[6])
   }
 }
 
+vtkIdType vtkExaBricksRedistribute::GetNumberOfLeafCells()
+{
+  return static_cast<vtkIdType>(this->Internals->Redistribution.structure().leafCells());
+}
+
 vtkIdType vtkExaBricksRedistribute::GetNumberOfCellsToDraw()
 {
-  return static_cast<vtkIdType>(this->Internals->Redistribution.cellsToDraw());
+  return static_cast<vtkIdType>(this->Internals->Redistribution.structure().cellsToDraw());
 }
 
 vtkIdType vtkExaBricksRedistribute::GetNumberOfCells()
@@ -162,7 +167,7 @@ vtkTypeInt64 vtkExaBricksRedistribute::GetBytesReceived()
 
 int vtkExaBricksRedistribute::GetNumberOfStructureBuilds()
 {
-  return this->Internals->Redistribution.structureBuilds();
+  return this->Internals->Redistribution.structure().builds();
 }
 
 void vtkExaBricksRedistribute::PrintSelf(ostream& os, vtkIndent indent)

@@ -72,6 +72,9 @@ public:
   /// nothing.
   void GetPartBounds(int process, double bounds[6]);
 
+  /// Of all processes, in the last update.
+  vtkIdType GetNumberOfLeafCells();
+
   ///@{
   /**
    * Of the last update, of this process: leaf cells that it draws, cells that it has for that, and

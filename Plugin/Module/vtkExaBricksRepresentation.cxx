@@ -4,6 +4,7 @@
 #include "Adapters/AMRCompatibility.h"
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
+#include "vtkExaBricksRedistribute.h"
 #include "vtkExaBricksStatistics.h"
 #include "vtkExaBricksVolume.h"
 #include "vtkExaBricksVolumeMapper.h"
@@ -98,20 +99,44 @@ int vtkExaBricksRepresentation::RequestData(
   vtkOverlappingAMR* amr = inputVector[0]->GetNumberOfInformationObjects() == 1
     ? vtkOverlappingAMR::GetData(inputVector[0], 0)
     : nullptr;
-  if (amr)
+  vtkBoundingBox whole;
+  if (this->IsOneOfSeveral())
+  {
+    // All ranks come here together.
+    this->Redistribute->SetForCompleted(
+      this->Mapper->GetReconstruction() == vtkExaBricksVolumeMapper::COMPLETED);
+    this->Redistribute->SetInputDataObject(amr);
+    this->Redistribute->Modified();
+    this->Redistribute->Update();
+    vtkDataObject* part = this->Redistribute->GetOutputDataObject(0);
+    this->Data.TakeReference(part->NewInstance());
+    this->Data->ShallowCopy(part);
+    vtkMultiProcessController* controller = this->Redistribute->GetController();
+    this->Redistribute->GetPartBounds(controller->GetLocalProcessId(), this->Bounds);
+    for (int process = 0; process < controller->GetNumberOfProcesses(); ++process)
+    {
+      double bounds[6];
+      this->Redistribute->GetPartBounds(process, bounds);
+      whole.AddBounds(bounds);
+    }
+  }
+  else if (amr)
   {
     this->Data.TakeReference(amr->NewInstance());
     this->Data->ShallowCopy(amr);
-    findBounds(amr).GetBounds(this->Bounds);
+    whole = findBounds(amr);
+    whole.GetBounds(this->Bounds);
   }
   else
   {
     // Data are not delivered to a client; views ask for an object of some kind all the same.
     this->Data = vtkSmartPointer<vtkPartitionedDataSet>::New();
   }
-  if (vtkMath::AreBoundsInitialized(this->Bounds))
+  if (whole.IsValid())
   {
-    this->OutlineSource->SetBounds(this->Bounds);
+    double bounds[6];
+    whole.GetBounds(bounds);
+    this->OutlineSource->SetBounds(bounds);
     this->OutlineSource->Update();
   }
   else
@@ -119,6 +144,12 @@ int vtkExaBricksRepresentation::RequestData(
     this->OutlineSource->GetOutput()->Initialize();
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+bool vtkExaBricksRepresentation::IsOneOfSeveral()
+{
+  vtkMultiProcessController* controller = this->Redistribute->GetController();
+  return controller && controller->GetNumberOfProcesses() > 1;
 }
 
 int vtkExaBricksRepresentation::ProcessViewRequest(
@@ -461,7 +492,14 @@ void vtkExaBricksRepresentation::SetCroppingRegionFlags(int flags)
 
 void vtkExaBricksRepresentation::SetReconstruction(int reconstruction)
 {
+  const bool wasCompleted =
+    this->Mapper->GetReconstruction() == vtkExaBricksVolumeMapper::COMPLETED;
   this->Mapper->SetReconstruction(reconstruction);
+  const bool isCompleted = reconstruction == vtkExaBricksVolumeMapper::COMPLETED;
+  if (this->IsOneOfSeveral() && wasCompleted != isCompleted)
+  {
+    this->MarkModified(); // other cells around each part are needed
+  }
 }
 
 void vtkExaBricksRepresentation::SetBlendMode(int mode) { this->Mapper->SetBlendMode(mode); }
@@ -472,9 +510,7 @@ void vtkExaBricksRepresentation::SetErrorTolerance(double tolerance)
 {
   // Each of several ranks would choose steps, and levels to leave out, by its own part of the
   // picture, and the parts would not fit together.
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool alone = !controller || controller->GetNumberOfProcesses() == 1;
-  this->Mapper->SetErrorTolerance(alone ? tolerance : 0.0);
+  this->Mapper->SetErrorTolerance(this->IsOneOfSeveral() ? 0.0 : tolerance);
 }
 
 void vtkExaBricksRepresentation::SetTraversal(int traversal)
@@ -510,6 +546,14 @@ void vtkExaBricksRepresentation::UpdateStatistics()
     return;
   }
   std::ostringstream text;
+  if (this->IsOneOfSeveral())
+  {
+    vtkMultiProcessController* controller = this->Redistribute->GetController();
+    text << "rank " << controller->GetLocalProcessId() << " of "
+         << controller->GetNumberOfProcesses() << ", which draws "
+         << this->Redistribute->GetNumberOfCellsToDraw() << " of all "
+         << this->Redistribute->GetNumberOfLeafCells() << " leaf cells:\n";
+  }
   text << data->GetNumberOfLevels() << " levels, ";
   if (this->Mapper->GetLevelsLeftOut() > 0)
   {

@@ -24,6 +24,7 @@
 #include <string> // for the opacity array
 
 class vtkColorTransferFunction;
+class vtkExaBricksRedistribute;
 class vtkExaBricksStatistics;
 class vtkExaBricksVolume;
 class vtkExaBricksVolumeMapper;
@@ -149,6 +150,8 @@ private:
   vtkExaBricksRepresentation(const vtkExaBricksRepresentation&) = delete;
   void operator=(const vtkExaBricksRepresentation&) = delete;
 
+  // Whether several ranks draw a part each.
+  bool IsOneOfSeveral();
   void ProvideData(vtkInformation* inInfo, vtkInformation* outInfo);
   void TakeDeliveredData(vtkInformation* inInfo);
   // Hands the mapper the array and the component; false if there is no array to draw.
@@ -170,13 +173,14 @@ private:
   // Called after each picture.
   void UpdateStatistics();
 
+  vtkNew<vtkExaBricksRedistribute> Redistribute; // where there are several ranks
   vtkNew<vtkExaBricksVolumeMapper> Mapper;
   vtkNew<vtkVolumeProperty> Property;
   vtkNew<vtkExaBricksVolume> Volume;
   vtkNew<vtkOutlineSource> OutlineSource;
 
-  vtkSmartPointer<vtkDataObject> Data; // the part that this process has
-  double Bounds[6];                    // of the blocks in it
+  vtkSmartPointer<vtkDataObject> Data; // the part that this process draws
+  double Bounds[6];                    // of it
   int Components = ONE;
   bool UseSeparateOpacityArray = false;
   OtherArray OpacityArray;

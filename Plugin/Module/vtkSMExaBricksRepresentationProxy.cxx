@@ -10,6 +10,7 @@
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
+#include "vtkVolumeMapper.h"
 
 #include <string>
 
@@ -117,16 +118,23 @@ void vtkSMExaBricksRepresentationProxy::WarnOfRanks()
   {
     return;
   }
-  std::string warning = "ExaBricks draws on " + std::to_string(ranks) +
-    " ranks: pictures show seams at the borders of their parts. Use one rank.";
+  std::string warning;
   if (vtkSMPropertyHelper(this, "ErrorTolerance").GetAsDouble() > 0.0)
   {
     // Every rank would choose levels and steps of its own.
     warning += " ErrorTolerance is not used on several ranks; StepScale is.";
   }
-  if (warning != this->Internals->Ranks)
+  // ParaView puts the ranks' pictures one over the other, as absorption and surfaces do.
+  const int mode = vtkSMPropertyHelper(this, "BlendMode").GetAsInt();
+  if (mode >= vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND && mode <= vtkVolumeMapper::ADDITIVE_BLEND)
   {
-    vtkWarningMacro(<< warning);
+    warning +=
+      " The blend modes maximum, minimum, average and additive are each rank's own, and the "
+      "nearest rank's picture hides those behind. Choose another one, or use one rank.";
+  }
+  if (!warning.empty() && warning != this->Internals->Ranks)
+  {
+    vtkWarningMacro("ExaBricks draws on " << ranks << " ranks:" << warning);
   }
   this->Internals->Ranks = warning;
 }

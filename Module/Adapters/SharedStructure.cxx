@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adapters/SharedStructure.h"
+
+#include "Adapters/AMRCompatibility.h"
+#include "Core/BoxIndex.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <set>
+
+namespace exabricks
+{
+LocalBlocks::LocalBlocks(vtkOverlappingAMR* amr)
+{
+  if (amr && getFirstBlock(amr))
+  {
+    this->input = readAMR(amr);
+    for (const Block& block : this->input.hierarchy.blocks)
+    {
+      this->level.push_back(this->input.amrLevel[static_cast<std::size_t>(block.level)]);
+    }
+  }
+}
+
+std::string SharedStructure::update(
+  const Processes& processes, const LocalBlocks& local, bool completed)
+{
+  this->Group = processes;
+  std::string fault = this->Group.agree(local.input.fault);
+  fault = fault.empty() ? this->AgreeOnLattice(local) : fault;
+  if (!fault.empty() || this->empty())
+  {
+    this->forget();
+    return fault;
+  }
+  bool changed = false;
+  fault = this->GatherBlocks(local, completed, changed);
+  if (!fault.empty())
+  {
+    this->forget();
+    return fault;
+  }
+  if (changed)
+  {
+    try
+    {
+      this->FindPieces(completed);
+    }
+    catch (const std::bad_alloc&)
+    {
+      fault = "out of memory for the boxes of all blocks";
+    }
+    fault = this->Group.agree(fault);
+    if (!fault.empty())
+    {
+      this->forget();
+    }
+  }
+  return fault;
+}
+
+// Sets the levels that any process has blocks of, with their spacing, and the origin.
+std::string SharedStructure::AgreeOnLattice(const LocalBlocks& local)
+{
+  const int own =
+    local.level.empty() ? 0 : *std::max_element(local.level.begin(), local.level.end()) + 1;
+  int levels = own;
+  this->Group.controller->AllReduce(&own, &levels, 1, vtkCommunicator::MAX_OP);
+  this->AMRLevel.clear();
+  this->Spacings.clear();
+  if (levels == 0)
+  {
+    return {};
+  }
+  // Of each level its spacing, or 0, and the origin.
+  const std::size_t count = 3 * static_cast<std::size_t>(levels + 1);
+  std::vector<double> numbers(count, 0.0);
+  const Hierarchy& hierarchy = local.input.hierarchy;
+  for (std::size_t b = 0; b < local.level.size(); ++b)
+  {
+    const glm::dvec3 spacing = hierarchy.spacing *
+      static_cast<double>(hierarchy.cellWidth[static_cast<std::size_t>(hierarchy.blocks[b].level)]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      numbers[static_cast<std::size_t>(3 * local.level[b] + axis)] = spacing[axis];
+      numbers[static_cast<std::size_t>(3 * levels + axis)] = hierarchy.origin[axis];
+    }
+  }
+  std::vector<double> all(count * static_cast<std::size_t>(this->Group.count));
+  this->Group.controller->AllGather(numbers.data(), all.data(), static_cast<vtkIdType>(count));
+  std::vector<int> levelsOf(static_cast<std::size_t>(this->Group.count));
+  this->Group.controller->AllGather(&own, levelsOf.data(), 1);
+
+  std::string fault;
+  const auto agreed = [&](int triple, bool isSpacing)
+  {
+    std::optional<glm::dvec3> found;
+    for (int rank = 0; rank < this->Group.count; ++rank)
+    {
+      const double* const at =
+        &all[count * static_cast<std::size_t>(rank) + static_cast<std::size_t>(3 * triple)];
+      const glm::dvec3 its(at[0], at[1], at[2]);
+      const bool has = isSpacing ? its.x > 0.0 : levelsOf[static_cast<std::size_t>(rank)] > 0;
+      if (has && !found)
+      {
+        found = its;
+      }
+    }
+    const double* const mine = &numbers[static_cast<std::size_t>(3 * triple)];
+    const bool have = isSpacing ? mine[0] > 0.0 : own > 0;
+    for (int axis = 0; axis < 3 && have && fault.empty(); ++axis)
+    {
+      const double scale = isSpacing ? (*found)[axis] : hierarchy.spacing[axis];
+      if (!(std::abs(mine[axis] - (*found)[axis]) <= 1e-3 * scale))
+      {
+        fault = std::string("expected the same ") +
+          (isSpacing ? "spacing of level " + std::to_string(triple) : "origin") +
+          " as on the other processes, found " + std::to_string(mine[axis]) + " and " +
+          std::to_string((*found)[axis]) + " along axis " + std::to_string(axis) +
+          ". Check the reader or filter that made it";
+      }
+    }
+    return found;
+  };
+  for (int level = 0; level < levels; ++level)
+  {
+    if (const std::optional<glm::dvec3> spacing = agreed(level, true))
+    {
+      this->AMRLevel.push_back(level);
+      this->Spacings.push_back(*spacing);
+    }
+  }
+  const glm::dvec3 origin = *agreed(levels, false);
+  if (fault.empty())
+  {
+    fault = makeLattice(this->Spacings, this->AMRLevel, origin, this->Whole);
+  }
+  return this->Group.agree(fault);
+}
+
+// Sets the blocks of all processes, each once, and whether their structure is another one than
+// before.
+std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool completed, bool& changed)
+{
+  constexpr std::size_t numbersOfBlock = 7;
+  std::vector<vtkIdType> own;
+  for (std::size_t b = 0; b < local.level.size(); ++b)
+  {
+    const Box& cells = local.input.hierarchy.blocks[b].cells;
+    own.push_back(local.level[b]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      own.push_back(cells.lo[axis]);
+      own.push_back(cells.hi[axis]);
+    }
+  }
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(static_cast<std::size_t>(this->Group.count));
+  this->Group.controller->AllGather(&length, lengths.data(), 1);
+  std::vector<vtkIdType> offsets(lengths.size(), 0);
+  for (std::size_t rank = 1; rank < offsets.size(); ++rank)
+  {
+    offsets[rank] = offsets[rank - 1] + lengths[rank - 1];
+  }
+  std::vector<vtkIdType> all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  this->Group.controller->AllGatherV(
+    own.data(), all.data(), length, lengths.data(), offsets.data());
+
+  std::vector<std::int64_t> key(all.begin(), all.end());
+  key.insert(key.end(), lengths.begin(), lengths.end());
+  key.insert(key.end(), this->Whole.cellWidth.begin(), this->Whole.cellWidth.end());
+  key.push_back(completed);
+  changed = key != this->Key;
+  if (!changed)
+  {
+    return {};
+  }
+  this->Key = std::move(key);
+  this->Whole.blocks.clear();
+  this->Owners.clear();
+  std::set<std::vector<vtkIdType>> taken; // a block that several processes have counts once
+  for (std::size_t rank = 0; rank < lengths.size(); ++rank)
+  {
+    const std::size_t blocks = static_cast<std::size_t>(lengths[rank]) / numbersOfBlock;
+    for (std::size_t b = 0; b < blocks; ++b)
+    {
+      const vtkIdType* const at =
+        &all[static_cast<std::size_t>(offsets[rank]) + b * numbersOfBlock];
+      if (!taken.emplace(at, at + numbersOfBlock).second)
+      {
+        continue;
+      }
+      const auto level = std::lower_bound(this->AMRLevel.begin(), this->AMRLevel.end(), at[0]);
+      this->Whole.blocks.push_back({ static_cast<int>(level - this->AMRLevel.begin()),
+        { Int3(at[1], at[3], at[5]), Int3(at[2], at[4], at[6]) } });
+      this->Owners.push_back({ static_cast<int>(rank), static_cast<int>(b) });
+    }
+  }
+  return findFault(this->Whole);
+}
+
+// Which cells of which blocks go where.
+void SharedStructure::FindPieces(bool completed)
+{
+  ++this->Builds;
+  this->Leaves = findLeafBoxes(this->Whole);
+  this->Shared = cutIntoParts(this->Leaves, this->Whole.cellWidth, this->Group.count);
+  this->Reach.clear();
+  for (const Box& part : this->Shared.boxes)
+  {
+    this->Reach.push_back(findReach(this->Leaves, this->Whole.cellWidth, part, completed));
+  }
+  this->Sent.clear();
+  this->Received.clear();
+  for (int rank = 0; rank < this->Group.count; ++rank)
+  {
+    this->Sent.push_back(this->ListPieces(rank, this->Group.rank));
+    this->Received.push_back(this->ListPieces(this->Group.rank, rank));
+  }
+  const Box& part = this->Shared.boxes[static_cast<std::size_t>(this->Group.rank)];
+  double cells = 0.0;
+  for (const LeafBox& leaf : this->Leaves.boxes)
+  {
+    const Box common = intersection(leaf.box, part);
+    if (!common.empty())
+    {
+      const glm::dvec3 size(common.size());
+      const auto width =
+        static_cast<double>(this->Whole.cellWidth[static_cast<std::size_t>(leaf.level)]);
+      cells += size.x * size.y * size.z / (width * width * width);
+    }
+  }
+  this->CellsToDraw = static_cast<std::uint64_t>(cells);
+}
+
+// In the order of the blocks, so that both processes list the same. Of blocks that coarser cells
+// are covered by in part whole cells go, as which of them count is found anew; else leaf cells
+// alone.
+std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int fromRank) const
+{
+  std::vector<Piece> pieces;
+  const Box& part = this->Shared.boxes[static_cast<std::size_t>(toRank)];
+  if (part.empty())
+  {
+    return pieces;
+  }
+  const bool whole = this->Leaves.partlyCoveredBoxes > 0;
+  std::vector<std::vector<Box>> leavesOfLevel(this->Whole.cellWidth.size());
+  const std::vector<std::int64_t>& reach = this->Reach[static_cast<std::size_t>(toRank)];
+  const auto needed = [&](int level)
+  {
+    const std::int64_t by = reach[static_cast<std::size_t>(level)];
+    return Box{ part.lo - by, part.hi + by };
+  };
+  for (const LeafBox& leaf : this->Leaves.boxes)
+  {
+    if (!whole && leaf.box.intersects(needed(leaf.level)))
+    {
+      leavesOfLevel[static_cast<std::size_t>(leaf.level)].push_back(leaf.box);
+    }
+  }
+  std::vector<BoxIndex> leaves;
+  for (std::vector<Box>& boxes : leavesOfLevel)
+  {
+    leaves.emplace_back(std::move(boxes));
+  }
+  std::vector<int> within;
+  for (std::size_t b = 0; b < this->Owners.size(); ++b)
+  {
+    if (this->Owners[b].rank != fromRank)
+    {
+      continue;
+    }
+    const int level = this->Whole.blocks[b].level;
+    const std::int64_t width = this->Whole.cellWidth[static_cast<std::size_t>(level)];
+    const Box wanted = intersection(this->Whole.logicalBox(this->Whole.blocks[b]), needed(level));
+    if (wanted.empty())
+    {
+      continue;
+    }
+    if (whole)
+    {
+      pieces.push_back({ static_cast<int>(b),
+        intersection(outwardToCells(wanted, width), this->Whole.blocks[b].cells) });
+      continue;
+    }
+    within.clear();
+    const BoxIndex& index = leaves[static_cast<std::size_t>(level)];
+    index.forEachIntersecting(wanted, [&](int leaf) { within.push_back(leaf); });
+    std::sort(within.begin(), within.end());
+    for (const int leaf : within)
+    {
+      pieces.push_back(
+        { static_cast<int>(b), outwardToCells(intersection(index.box(leaf), wanted), width) });
+    }
+  }
+  return pieces;
+}
+
+AMRPart SharedStructure::part() const
+{
+  AMRPart part;
+  part.box = scaled(this->Shared.boxes[static_cast<std::size_t>(this->Group.rank)], 2);
+  auto whole = std::make_shared<WholeHierarchy>();
+  whole->blocks = this->Whole.blocks;
+  for (Block& block : whole->blocks)
+  {
+    block.level = this->AMRLevel[static_cast<std::size_t>(block.level)];
+  }
+  whole->reach.assign(static_cast<std::size_t>(this->AMRLevel.back() + 1), 0);
+  for (std::size_t level = 0; level < this->AMRLevel.size(); ++level)
+  {
+    whole->reach[static_cast<std::size_t>(this->AMRLevel[level])] =
+      this->Reach[static_cast<std::size_t>(this->Group.rank)][level];
+  }
+  part.whole = std::move(whole);
+  return part;
+}
+}
