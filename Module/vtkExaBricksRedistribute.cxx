@@ -117,9 +117,9 @@ void vtkExaBricksRedistribute::GetFrontToBack(
   const glm::dvec4 seenFrom = fromWorld *
     (camera->GetParallelProjection() ? glm::dvec4(-backward[0], -backward[1], -backward[2], 0.0)
                                      : glm::dvec4(eye[0], eye[1], eye[2], 1.0));
-  const glm::dvec3 logical =
+  const glm::dvec3 halfCells = 2.0 *
     (glm::dvec3(seenFrom) - seenFrom.w * shared.hierarchy().origin) / shared.hierarchy().spacing;
-  for (const int process : shared.parts().frontToBack(glm::dvec4(logical, seenFrom.w)))
+  for (const int process : shared.parts().frontToBack(glm::dvec4(halfCells, seenFrom.w)))
   {
     processes->InsertNextId(process);
   }
@@ -139,7 +139,7 @@ void vtkExaBricksRedistribute::GetPartBounds(int process, double bounds[6])
   for (int axis = 0; axis < 3; ++axis)
   {
     const double origin = shared.hierarchy().origin[axis];
-    const double spacing = shared.hierarchy().spacing[axis];
+    const double spacing = 0.5 * shared.hierarchy().spacing[axis];
     bounds[2 * axis] = origin + spacing * static_cast<double>(box.lo[axis]);
     bounds[2 * axis + 1] = origin + spacing * static_cast<double>(box.hi[axis]);
   }

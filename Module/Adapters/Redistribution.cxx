@@ -188,7 +188,9 @@ std::string Redistribution::AgreeOnArrays(const LocalBlocks& local)
           { array->GetName(), array->GetDataType(), array->GetNumberOfComponents() });
       }
     }
-    stream << static_cast<int>(this->Arrays.size());
+    vtkDataArray* const active = cells->GetScalars();
+    this->ActiveScalars = active && active->GetName() ? active->GetName() : "";
+    stream << this->ActiveScalars << static_cast<int>(this->Arrays.size());
     for (const ArrayKind& kind : this->Arrays)
     {
       stream << kind.name << kind.type << kind.components;
@@ -198,7 +200,7 @@ std::string Redistribution::AgreeOnArrays(const LocalBlocks& local)
   if (first != this->Group.rank)
   {
     int count = 0;
-    stream >> count;
+    stream >> this->ActiveScalars >> count;
     for (int i = 0; i < count; ++i)
     {
       ArrayKind kind;
@@ -310,6 +312,10 @@ void Redistribution::MakeOutput(const std::vector<Bytes>& received, vtkOverlappi
         received[place.rank].data() + arrayBegin + place.before * bytesOfCell, count * bytesOfCell);
       grid->GetCellData()->AddArray(array);
       arrayBegin += cellsFrom[place.rank] * bytesOfCell;
+    }
+    if (!this->ActiveScalars.empty())
+    {
+      grid->GetCellData()->SetActiveScalars(this->ActiveScalars.c_str());
     }
     int lo[3];
     int hi[3];

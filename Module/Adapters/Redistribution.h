@@ -44,6 +44,7 @@ private:
   Processes Group;
   SharedStructure Structure;
   std::vector<ArrayKind> Arrays;
+  std::string ActiveScalars; // of cells; empty: none are
   std::uint64_t CellsHeld = 0;
   std::uint64_t BytesReceived = 0;
 };

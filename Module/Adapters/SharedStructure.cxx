@@ -208,7 +208,8 @@ void SharedStructure::FindPieces(bool completed)
 {
   ++this->Builds;
   this->Leaves = findLeafBoxes(this->Whole);
-  this->Shared = cutIntoParts(this->Leaves, this->Whole.cellWidth, this->Group.count);
+  this->Shared = cutIntoParts(this->Leaves, buildBricks(this->Leaves, this->Whole.cellWidth),
+    this->Whole.cellWidth, this->Group.count);
   this->Reach.clear();
   for (const Box& part : this->Shared.boxes)
   {
@@ -225,10 +226,10 @@ void SharedStructure::FindPieces(bool completed)
   double cells = 0.0;
   for (const LeafBox& leaf : this->Leaves.boxes)
   {
-    const Box common = intersection(leaf.box, part);
+    const Box common = intersection(scaled(leaf.box, 2), part);
     if (!common.empty())
     {
-      const glm::dvec3 size(common.size());
+      const glm::dvec3 size = 0.5 * glm::dvec3(common.size());
       const auto width =
         static_cast<double>(this->Whole.cellWidth[static_cast<std::size_t>(leaf.level)]);
       cells += size.x * size.y * size.z / (width * width * width);
@@ -254,7 +255,8 @@ std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int 
   const auto needed = [&](int level)
   {
     const std::int64_t by = reach[static_cast<std::size_t>(level)];
-    return Box{ part.lo - by, part.hi + by };
+    const Box cells = outwardToCells(part, 2);
+    return Box{ cells.lo - by, cells.hi + by };
   };
   for (const LeafBox& leaf : this->Leaves.boxes)
   {
@@ -304,7 +306,7 @@ std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int 
 AMRPart SharedStructure::part() const
 {
   AMRPart part;
-  part.box = scaled(this->Shared.boxes[static_cast<std::size_t>(this->Group.rank)], 2);
+  part.box = this->Shared.boxes[static_cast<std::size_t>(this->Group.rank)];
   auto whole = std::make_shared<WholeHierarchy>();
   whole->blocks = this->Whole.blocks;
   for (Block& block : whole->blocks)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace exabricks
 {
@@ -13,35 +14,90 @@ constexpr std::int64_t StepsBeyond = 2;
 // Of the coarsest level nearby: the cell that is extended, its neighbours by which its slope is
 // found, and a cell of the level that is completed.
 constexpr std::int64_t CellsToComplete = 3;
+// How much more or less than wanted one side of a cut may have, of all.
+constexpr double Imbalance = 0.0125;
+// What a cut costs, beside the area in which it goes through supports, of its whole area: cells on
+// both sides of it are held twice.
+constexpr double CostOfArea = 0.1;
 
 Box grown(const Box& box, std::int64_t by) { return { box.lo - by, box.hi + by }; }
+
+// A box in half cells, and how many cells there are to a volume of one.
+struct Filled
+{
+  Box box;
+  double density;
+};
+
+struct Candidate
+{
+  int axis = -1;
+  std::int64_t plane = 0;
+  double cost = 0.0;
+};
+
+double areaAcross(const Box& box, int axis)
+{
+  const glm::dvec3 size(box.size());
+  return size[(axis + 1) % 3] * size[(axis + 2) % 3];
+}
+
+// Cells below a plane.
+double cellsBelow(const std::vector<Filled>& leaves, int axis, std::int64_t plane)
+{
+  double cells = 0.0;
+  for (const Filled& leaf : leaves)
+  {
+    const std::int64_t length = std::min(plane, leaf.box.hi[axis]) - leaf.box.lo[axis];
+    if (length > 0)
+    {
+      cells += leaf.density * static_cast<double>(length) * areaAcross(leaf.box, axis);
+    }
+  }
+  return cells;
+}
+
+// The least plane within the box with at least so many cells below.
+std::int64_t findPlane(const std::vector<Filled>& leaves, const Box& box, int axis, double cells)
+{
+  std::int64_t low = box.lo[axis] + 1;
+  std::int64_t high = box.hi[axis] - 1;
+  while (low < high)
+  {
+    const std::int64_t middle = low + (high - low) / 2;
+    if (cellsBelow(leaves, axis, middle) < cells)
+    {
+      low = middle + 1;
+    }
+    else
+    {
+      high = middle;
+    }
+  }
+  return low;
+}
 
 class Cutter
 {
 public:
-  Cutter(const std::vector<std::int64_t>& cellWidth, Parts& parts)
-    : CellWidth(cellWidth)
-    , Result(parts)
+  explicit Cutter(Parts& parts)
+    : Result(parts)
   {
   }
 
-  /// `leaves`: those in the box, cut at its faces.
-  void cut(
-    std::size_t node, const Box& box, const std::vector<LeafBox>& leaves, int first, int count)
+  /// `leaves` and `supports`: those in the box, cut at its faces.
+  void cut(std::size_t node, const Box& box, const std::vector<Filled>& leaves,
+    const std::vector<Box>& supports, int first, int count)
   {
-    if (count == 1)
-    {
-      this->Result.cuts[node] = { -1, 0, first };
-      this->Result.boxes[first] = box;
-      return;
-    }
     const int lowerCount = count / 2;
-    const Candidate best = this->Choose(box, leaves, static_cast<double>(lowerCount) / count);
+    const Candidate best = count == 1
+      ? Candidate()
+      : this->Choose(box, leaves, supports, static_cast<double>(lowerCount) / count);
     if (best.axis < 0)
     {
-      // Nothing to cut: all of it for the first part.
+      // Where there is nothing to cut, all is for the first part.
       this->Result.cuts[node] = { -1, 0, first };
-      this->Result.boxes[first] = box;
+      this->Result.boxes[static_cast<std::size_t>(first)] = box;
       return;
     }
     const std::size_t child = this->Result.cuts.size();
@@ -51,110 +107,124 @@ public:
     for (const bool upper : { false, true })
     {
       const Box& side = upper ? sides.second : sides.first;
-      std::vector<LeafBox> within;
-      for (const LeafBox& leaf : leaves)
+      std::vector<Filled> leavesWithin;
+      for (const Filled& leaf : leaves)
       {
         const Box common = intersection(leaf.box, side);
         if (!common.empty())
         {
-          within.push_back({ leaf.level, common });
+          leavesWithin.push_back({ common, leaf.density });
         }
       }
-      this->cut(child + upper, side, within, upper ? first + lowerCount : first,
-        upper ? count - lowerCount : lowerCount);
+      std::vector<Box> supportsWithin;
+      for (const Box& support : supports)
+      {
+        const Box common = intersection(support, side);
+        if (!common.empty())
+        {
+          supportsWithin.push_back(common);
+        }
+      }
+      this->cut(child + upper, side, leavesWithin, supportsWithin,
+        upper ? first + lowerCount : first, upper ? count - lowerCount : lowerCount);
     }
   }
 
 private:
-  struct Candidate
+  // Across which axis, and where: of the planes that balance the cells, the one that goes through
+  // the fewest supports, as regions end at their faces.
+  Candidate Choose(const Box& box, const std::vector<Filled>& leaves,
+    const std::vector<Box>& supports, double fraction) const
   {
-    int axis = -1;
-    std::int64_t plane = 0;
-    double off = 2.0; // how much more or less than wanted the lower side has, of all
-  };
-
-  double CellsBelow(const std::vector<LeafBox>& leaves, int axis, std::int64_t plane) const
-  {
-    double cells = 0.0;
-    for (const LeafBox& leaf : leaves)
-    {
-      const std::int64_t length = std::min(plane, leaf.box.hi[axis]) - leaf.box.lo[axis];
-      if (length > 0)
-      {
-        const Int3 size = leaf.box.size();
-        const auto width = static_cast<double>(this->CellWidth[leaf.level]);
-        cells += static_cast<double>(size[(axis + 1) % 3]) *
-          static_cast<double>(size[(axis + 2) % 3]) * static_cast<double>(length) /
-          (width * width * width);
-      }
-    }
-    return cells;
-  }
-
-  // The plane at a multiple of `width` below which the cells are nearest to a fraction of all.
-  Candidate ChoosePlane(const Box& box, const std::vector<LeafBox>& leaves, int axis,
-    double fraction, std::int64_t width) const
-  {
-    const double all = this->CellsBelow(leaves, axis, box.hi[axis]);
-    std::int64_t low = floorDivide(box.lo[axis], width) + 1;
-    std::int64_t high = -floorDivide(-box.hi[axis], width) - 1;
     Candidate best;
-    const auto look = [&](std::int64_t plane)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const double off = this->CellsBelow(leaves, axis, plane * width) / all - fraction;
-      if (std::abs(off) < best.off)
+      const double all = cellsBelow(leaves, axis, box.hi[axis]);
+      if (box.size()[axis] < 2 || !(all > 0.0))
       {
-        best = { axis, plane * width, std::abs(off) };
+        continue;
       }
-      return off < 0.0;
-    };
-    while (low <= high && all > 0.0)
-    {
-      const std::int64_t middle = floorDivide(low + high, 2);
-      if (look(middle))
+      const std::int64_t low = findPlane(leaves, box, axis, (fraction - Imbalance) * all);
+      const std::int64_t ideal = findPlane(leaves, box, axis, fraction * all);
+      const std::int64_t high = findPlane(leaves, box, axis, (fraction + Imbalance) * all);
+      const std::int64_t plane = this->ChoosePlane(supports, axis, low, ideal, high);
+      const double cost = this->AreaCut(supports, axis, plane) + CostOfArea * areaAcross(box, axis);
+      const double below = cellsBelow(leaves, axis, plane) / all;
+      const bool balanced = std::abs(below - fraction) <= 2.0 * Imbalance;
+      // One that does not balance is better than none.
+      const double whole = box.size().x * 4.0 * box.size().y + 4.0 * areaAcross(box, 0);
+      const double total = balanced ? cost : cost + whole * 100.0 * std::abs(below - fraction);
+      if (below > 0.0 && below < 1.0 && (best.axis < 0 || total < best.cost))
       {
-        low = middle + 1;
-      }
-      else
-      {
-        high = middle - 1;
+        best = { axis, plane, total };
       }
     }
     return best;
   }
 
-  // Across the longest axis that does, at faces of the coarsest cells that do.
-  Candidate Choose(const Box& box, const std::vector<LeafBox>& leaves, double fraction) const
+  double AreaCut(const std::vector<Box>& supports, int axis, std::int64_t plane) const
   {
-    constexpr double enough = 0.01;
-    Box tight;
-    for (const LeafBox& leaf : leaves)
+    double area = 0.0;
+    for (const Box& support : supports)
     {
-      tight = unite(tight, leaf.box);
+      area +=
+        support.lo[axis] < plane && plane < support.hi[axis] ? areaAcross(support, axis) : 0.0;
     }
-    std::array<int, 3> axes{ 0, 1, 2 };
-    const Int3 size = tight.size();
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return size[a] > size[b]; });
-    Candidate best;
-    for (const std::int64_t width : this->CellWidth)
+    return area;
+  }
+
+  std::int64_t ChoosePlane(const std::vector<Box>& supports, int axis, std::int64_t low,
+    std::int64_t ideal, std::int64_t high) const
+  {
+    // What begins and ends where: the area that is cut changes there alone.
+    std::vector<std::pair<std::int64_t, double>> begins;
+    std::vector<std::pair<std::int64_t, double>> ends;
+    std::vector<std::int64_t> planes{ ideal };
+    for (const Box& support : supports)
     {
-      for (const int axis : axes)
+      const double area = areaAcross(support, axis);
+      begins.emplace_back(support.lo[axis], area);
+      ends.emplace_back(support.hi[axis], area);
+      for (const std::int64_t face : { support.lo[axis], support.hi[axis] })
       {
-        const Candidate candidate = this->ChoosePlane(box, leaves, axis, fraction, width);
-        if (candidate.off < best.off)
+        if (face >= low && face <= high)
         {
-          best = candidate;
+          planes.push_back(face);
         }
-        if (best.off <= enough)
-        {
-          return best;
-        }
+      }
+    }
+    std::sort(begins.begin(), begins.end());
+    std::sort(ends.begin(), ends.end());
+    std::sort(planes.begin(), planes.end());
+    std::int64_t best = ideal;
+    double least = 0.0;
+    bool any = false;
+    double begun = 0.0;
+    double ended = 0.0;
+    std::size_t b = 0;
+    std::size_t e = 0;
+    for (const std::int64_t plane : planes)
+    {
+      for (; b < begins.size() && begins[b].first < plane; ++b)
+      {
+        begun += begins[b].second;
+      }
+      for (; e < ends.size() && ends[e].first <= plane; ++e)
+      {
+        ended += ends[e].second;
+      }
+      const double area = begun - ended;
+      const bool nearer = std::abs(plane - ideal) < std::abs(best - ideal);
+      if (!any || area < least - 0.5 || (area < least + 0.5 && nearer))
+      {
+        any = true;
+        least = area;
+        best = plane;
       }
     }
     return best;
   }
 
-  const std::vector<std::int64_t>& CellWidth;
   Parts& Result;
 };
 }
@@ -169,7 +239,7 @@ std::vector<int> Parts::frontToBack(const glm::dvec4& eye) const
   }
   while (!open.empty())
   {
-    const Cut& cut = this->cuts[open.back()];
+    const Cut& cut = this->cuts[static_cast<std::size_t>(open.back())];
     open.pop_back();
     if (cut.axis < 0)
     {
@@ -183,13 +253,28 @@ std::vector<int> Parts::frontToBack(const glm::dvec4& eye) const
   return order;
 }
 
-Parts cutIntoParts(
-  const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth, int numberOfParts)
+Parts cutIntoParts(const LeafBoxes& leaves, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, int numberOfParts)
 {
+  std::vector<Filled> filled;
+  filled.reserve(leaves.boxes.size());
+  for (const LeafBox& leaf : leaves.boxes)
+  {
+    const double side = 2.0 * static_cast<double>(cellWidth[static_cast<std::size_t>(leaf.level)]);
+    filled.push_back({ scaled(leaf.box, 2), 1.0 / (side * side * side) });
+  }
+  const Box bounds = scaled(leaves.bounds, 2);
+  std::vector<Box> supports;
+  supports.reserve(bricks.size());
+  for (const Brick& brick : bricks)
+  {
+    const std::int64_t width = cellWidth[static_cast<std::size_t>(brick.level)];
+    supports.push_back(intersection(grown(scaled(brick.box(width), 2), width), bounds));
+  }
   Parts parts;
   parts.boxes.resize(static_cast<std::size_t>(numberOfParts));
   parts.cuts.resize(1);
-  Cutter(cellWidth, parts).cut(0, leaves.bounds, leaves.boxes, 0, numberOfParts);
+  Cutter(parts).cut(0, bounds, filled, supports, 0, numberOfParts);
   return parts;
 }
 
@@ -208,8 +293,9 @@ std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
   std::int64_t widest = 0;
   for (const LeafBox& leaf : leaves.boxes)
   {
-    const std::int64_t width = cellWidth[leaf.level];
-    if (width > widest && leaf.box.intersects(grown(part, (CellsToComplete + StepsBeyond) * width)))
+    const std::int64_t width = cellWidth[static_cast<std::size_t>(leaf.level)];
+    const Box near = grown(outwardToCells(part, 2), (CellsToComplete + StepsBeyond) * width);
+    if (width > widest && leaf.box.intersects(near))
     {
       widest = width;
     }

@@ -4,7 +4,7 @@
 #ifndef ExaBricksCoreParts_h
 #define ExaBricksCoreParts_h
 
-#include "Core/LeafBoxes.h"
+#include "Core/Bricks.h"
 
 #include <glm/vec4.hpp>
 
@@ -16,12 +16,12 @@ struct Parts
   struct Cut
   {
     int axis = -1;          // below 0: a part
-    std::int64_t plane = 0; // logical
+    std::int64_t plane = 0; // half cells
     int lower = 0; // of a cut: index of the lower side, the upper one follows; of a part: its
                    // number
   };
   std::vector<Cut> cuts;  // the root first
-  std::vector<Box> boxes; // [part], logical; disjoint, together the bounds; empty: there was no
+  std::vector<Box> boxes; // [part], half cells; disjoint, together the bounds; empty: there was no
                           // cell left for it
 
   /// The numbers of the parts that are not empty, those first that hide others. `eye`: a point in
@@ -29,15 +29,17 @@ struct Parts
   std::vector<int> frontToBack(const glm::dvec4& eye) const;
 };
 
-/// Each box holds at most a tenth more cells than the mean, if its cells are small beside it. Cuts
-/// lie at faces of the coarsest cells that let it.
-Parts cutIntoParts(
-  const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth, int numberOfParts);
+/// Half cells count from logical (0, 0, 0). Each box holds at most a tenth more cells than the
+/// mean, if its cells are small beside it. Of the cuts that do, those are taken that go through the
+/// fewest supports of `bricks`: what lies between two cuts is drawn by one process as by one alone,
+/// and where regions end at a cut, nothing is left that two have to share.
+Parts cutIntoParts(const LeafBoxes& leaves, const std::vector<Brick>& bricks,
+  const std::vector<std::int64_t>& cellWidth, int numberOfParts);
 
-/// How far around a part cells of each level [level] count for what is seen in it, in finest cells.
-/// For a reconstruction between a level's own cells that is one of them; to complete levels, three
-/// of the coarsest ones nearby, as values are extrapolated from their slopes. Two more, as the last
-/// interval of samples may end beyond the part.
+/// How far around a part, a box in half cells, cells of each level [level] count for what is seen
+/// in it, in finest cells. For a reconstruction between a level's own cells that is one of them; to
+/// complete levels, three of the coarsest ones nearby, as values are extrapolated from their
+/// slopes. Two more, as the last interval of samples may end beyond the part.
 std::vector<std::int64_t> findReach(const LeafBoxes& leaves,
   const std::vector<std::int64_t>& cellWidth, const Box& part, bool completed);
 }

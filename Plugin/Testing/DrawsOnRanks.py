@@ -70,7 +70,7 @@ def compare():
             quality = -10.0 * math.log10(max(error, 1e-12))
             most = round(255.0 * float(numpy.abs(found - expected).max()))
             print(f"{name}: {quality:.1f} dB over drawn pixels, most {most} of 255, drawn {float(shown.mean()):.3f}")
-            if quality < 45.0 or not shown.mean() > 0.01:
+            if quality < 54.0 or not shown.mean() > 0.01:
                 faults.append(name)
         assert not faults, faults
         assert "of all" in statistics(display), statistics(display)

@@ -18,12 +18,13 @@ TEST(PartsReach, HoldsAllThatCounts)
     const reference::Field all(scene.hierarchy, leaves, scene.cells, std::nullopt);
     const auto value = [&](int level, const Int3& cell) { return *all.find(level, cell); };
     const accuracy::Candidates completed(scene.hierarchy, leaves, value);
-    const Parts parts = cutIntoParts(leaves, width, 4);
-    for (const Box& part : parts.boxes)
+    const Parts parts = cutIntoParts(leaves, buildBricks(leaves, width), width, 4);
+    for (const Box& inHalfCells : parts.boxes)
     {
+      const Box part = outwardToCells(inHalfCells, 2);
       for (const bool completes : { false, true })
       {
-        const std::vector<std::int64_t> reach = findReach(leaves, width, part, completes);
+        const std::vector<std::int64_t> reach = findReach(leaves, width, inHalfCells, completes);
         LeafBoxes near;
         for (const LeafBox& leaf : leaves.boxes)
         {

@@ -19,10 +19,11 @@ double cellsIn(const LeafBoxes& leaves, const std::vector<std::int64_t>& width, 
   double cells = 0.0;
   for (const LeafBox& leaf : leaves.boxes)
   {
-    const Box common = intersection(leaf.box, part);
+    const Box common = intersection(scaled(leaf.box, 2), part);
     if (!common.empty())
     {
-      const glm::dvec3 size = glm::dvec3(common.size()) / static_cast<double>(width[leaf.level]);
+      const glm::dvec3 size =
+        0.5 * glm::dvec3(common.size()) / static_cast<double>(width[leaf.level]);
       cells += size.x * size.y * size.z;
     }
   }
@@ -38,19 +39,20 @@ TEST(Parts, ShareTheBoundsOut)
     const reference::Scene scene = reference::randomScene(seed);
     const LeafBoxes leaves = findLeafBoxes(scene.hierarchy);
     const int count = 1 + static_cast<int>(seed % 9);
-    const Parts parts = cutIntoParts(leaves, scene.hierarchy.cellWidth, count);
+    const Parts parts = cutIntoParts(
+      leaves, buildBricks(leaves, scene.hierarchy.cellWidth), scene.hierarchy.cellWidth, count);
     ASSERT_EQ(parts.boxes.size(), static_cast<std::size_t>(count));
     LatticeVolume volume;
     for (const Box& box : parts.boxes)
     {
-      ASSERT_TRUE(box.empty() || leaves.bounds.contains(box));
+      ASSERT_TRUE(box.empty() || scaled(leaves.bounds, 2).contains(box));
       volume += box.volume();
       for (const Box& other : parts.boxes)
       {
         ASSERT_TRUE(&box == &other || box.empty() || other.empty() || !box.intersects(other));
       }
     }
-    ASSERT_TRUE(volume == leaves.bounds.volume());
+    ASSERT_TRUE(volume == scaled(leaves.bounds, 2).volume());
   }
 }
 
@@ -64,7 +66,8 @@ TEST(Parts, HaveAboutAsManyCellsEach)
     const LeafBoxes leaves = findLeafBoxes(standIn.hierarchy);
     for (const int count : { 2, 3, 4, 7, 16 })
     {
-      const Parts parts = cutIntoParts(leaves, standIn.hierarchy.cellWidth, count);
+      const Parts parts = cutIntoParts(leaves, buildBricks(leaves, standIn.hierarchy.cellWidth),
+        standIn.hierarchy.cellWidth, count);
       double most = 0.0;
       double all = 0.0;
       for (const Box& box : parts.boxes)
@@ -85,9 +88,10 @@ TEST(Parts, ComeInTheOrderInWhichTheyHideOneAnother)
 {
   const StandIn standIn = makeStandIn(StandInKind::Cloud, 20000);
   const LeafBoxes leaves = findLeafBoxes(standIn.hierarchy);
-  const Parts parts = cutIntoParts(leaves, standIn.hierarchy.cellWidth, 7);
-  const glm::dvec3 lo(leaves.bounds.lo);
-  const glm::dvec3 size(leaves.bounds.size());
+  const Parts parts = cutIntoParts(
+    leaves, buildBricks(leaves, standIn.hierarchy.cellWidth), standIn.hierarchy.cellWidth, 7);
+  const glm::dvec3 lo(scaled(leaves.bounds, 2).lo);
+  const glm::dvec3 size(scaled(leaves.bounds, 2).size());
   for (int n = 0; n < 200; ++n)
   {
     const auto random = [&](int axis) { return reference::noise(axis, Int3(n), 1); };
@@ -115,17 +119,16 @@ TEST(Parts, ComeInTheOrderInWhichTheyHideOneAnother)
   }
 }
 
-TEST(Parts, OfFewerCellsThanPartsAreEmpty)
+TEST(Parts, OfLessThanHalfACellAreEmpty)
 {
   Hierarchy hierarchy;
   hierarchy.cellWidth = { 1 };
-  hierarchy.blocks = { { 0, { Int3(0), Int3(2, 1, 1) } } };
-  const Parts parts = cutIntoParts(findLeafBoxes(hierarchy), hierarchy.cellWidth, 5);
-  int empty = 0;
-  for (const Box& box : parts.boxes)
-  {
-    empty += box.empty();
-  }
-  EXPECT_EQ(empty, 3);
-  EXPECT_EQ(parts.frontToBack({ -1.0, 0.0, 0.0, 0.0 }).size(), 2u);
+  hierarchy.blocks = { { 0, { Int3(0), Int3(1) } } };
+  const LeafBoxes leaves = findLeafBoxes(hierarchy);
+  const Parts parts =
+    cutIntoParts(leaves, buildBricks(leaves, hierarchy.cellWidth), hierarchy.cellWidth, 11);
+  const auto empty = static_cast<std::size_t>(std::count_if(
+    parts.boxes.begin(), parts.boxes.end(), [](const Box& box) { return box.empty(); }));
+  EXPECT_GE(empty, 3u);
+  EXPECT_EQ(parts.frontToBack({ -1.0, 0.0, 0.0, 0.0 }).size(), 11u - empty);
 }

@@ -22,6 +22,7 @@ from .vtkRenderingVolumeExaBricks import (
     vtkExaBricksFileCheck,
     vtkExaBricksFirstPicture,
     vtkExaBricksPicker,
+    vtkExaBricksRedistribute,
     vtkExaBricksSceneSource,
     vtkExaBricksVolumeMapper,
 )
@@ -44,6 +45,7 @@ __all__ = [
     "vtkExaBricksFileCheck",
     "vtkExaBricksFirstPicture",
     "vtkExaBricksPicker",
+    "vtkExaBricksRedistribute",
     "vtkExaBricksSceneSource",
     "vtkExaBricksVolumeMapper",
 ]

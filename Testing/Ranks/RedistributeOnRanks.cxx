@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Run by mpiexec on three processes or more: what vtkExaBricksRedistribute hands out, keeps, and
+// says.
+#include "AMR.h"
+#include "Checks.h"
+
+#include "vtkExaBricksBuilder.h"
+#include "vtkExaBricksData.h"
+#include "vtkExaBricksRedistribute.h"
+
+#include "vtkMPIController.h"
+
+namespace
+{
+double slope(double x, double y, double z) { return x + 10.0 * y + 100.0 * z; }
+
+// Sixteen blocks in a row, every second one refined: of each process its own, in turn.
+vtkSmartPointer<vtkOverlappingAMR> deal(int rank, int ranks, const test::Field& field = slope)
+{
+  std::vector<test::Block> blocks;
+  for (int i = 0; i < 16; ++i)
+  {
+    blocks.push_back({ 0, { 8 * i, 0, 0 }, { 8, 8, 8 } });
+  }
+  for (int i = 0; i < 16; i += 2)
+  {
+    blocks.push_back({ 1, { 16 * i + 4, 4, 4 }, { 8, 8, 8 } });
+  }
+  auto amr = test::makeAMR(blocks, field);
+  for (unsigned int level = 0; level < 2; ++level)
+  {
+    for (unsigned int i = 0; i < exabricks::numberOfBlocks(amr, level); ++i)
+    {
+      if (static_cast<int>(i) % ranks != rank)
+      {
+        amr->SetDataSet(level, i, nullptr);
+      }
+    }
+  }
+  return amr;
+}
+
+int countBlocks(vtkOverlappingAMR* amr)
+{
+  int count = 0;
+  exabricks::forEachBlock(amr, [&](vtkDataSet*) { ++count; });
+  return count;
+}
+
+vtkOverlappingAMR* outputOf(vtkExaBricksRedistribute* redistribute)
+{
+  return vtkOverlappingAMR::SafeDownCast(redistribute->GetOutputDataObject(0));
+}
+
+// Cells have their values, wherever they come from; all are drawn, each by one process.
+void checkCells(test::Checks& checks, vtkMPIController* controller)
+{
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  redistribute->SetInputData(
+    deal(controller->GetLocalProcessId(), controller->GetNumberOfProcesses()));
+  redistribute->Update();
+  vtkIdType wrong = 0;
+  vtkIdType held = 0;
+  exabricks::forEachBlock(outputOf(redistribute),
+    [&](vtkDataSet* block)
+    {
+      vtkDataArray* values = block->GetCellData()->GetArray("value");
+      for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
+      {
+        double bounds[6];
+        block->GetCellBounds(cell, bounds);
+        const double expected = slope(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+          0.5 * (bounds[4] + bounds[5]));
+        wrong += std::abs(values->GetComponent(cell, 0) - expected) > 1e-9;
+        ++held;
+      }
+    });
+  checks.Equal(wrong, 0, "cells with another value");
+  checks.Equal(redistribute->GetNumberOfCells(), held, "cells held");
+  const vtkIdType own = redistribute->GetNumberOfCellsToDraw();
+  vtkIdType all = 0;
+  controller->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+  const vtkIdType leaves = 16 * 512 - 8 * 64 + 8 * 512;
+  checks.Equal(redistribute->GetNumberOfLeafCells(), leaves, "leaf cells");
+  checks.Expect(std::abs(all - leaves) <= controller->GetNumberOfProcesses(), "all are drawn");
+  checks.Expect(held >= own && held < leaves, "no process holds all cells");
+
+  // Ranges are those of all, so that functions mean the same everywhere.
+  vtkNew<vtkExaBricksBuilder> builder;
+  builder->SetInputConnection(redistribute->GetOutputPort());
+  builder->Update();
+  double range[2];
+  builder->GetOutput()->GetScalarRange(range);
+  checks.Equal(range[0], slope(0.5, 0.5, 0.5), "least value of all processes");
+  checks.Equal(range[1], slope(127.5, 7.5, 7.5), "greatest value of all processes");
+}
+
+// Other values on the same boxes move, and nothing else is done anew.
+void checkTimeSteps(test::Checks& checks, vtkMPIController* controller)
+{
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  for (int step = 0; step < 4; ++step)
+  {
+    redistribute->SetInputData(deal(controller->GetLocalProcessId(),
+      controller->GetNumberOfProcesses(), [=](double, double, double) { return 1.0 + step; }));
+    redistribute->Update();
+    checks.Equal(outputOf(redistribute)->GetNumberOfLevels(), 2u, "levels");
+    vtkDataSet* block = exabricks::getFirstBlock(outputOf(redistribute));
+    checks.Equal(block->GetCellData()->GetArray("value")->GetComponent(0, 0), 1.0 + step, "value");
+  }
+  checks.Equal(redistribute->GetNumberOfStructureBuilds(), 1, "builds of the structure");
+}
+
+// What is wrong on one process is said once, with its number, and nobody waits for it.
+void checkFaults(test::Checks& checks, vtkMPIController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  const int ranks = controller->GetNumberOfProcesses();
+  test::Messages messages;
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  const auto expect = [&](const std::vector<std::string>& words, const std::string& what)
+  {
+    redistribute->Update();
+    checks.Equal(countBlocks(outputOf(redistribute)), 0, what + ": blocks");
+    const std::string said = messages.TakeErrors();
+    rank == 0 ? checks.Says(said, words, what) : checks.Silent(said, what);
+  };
+
+  auto lacking = deal(rank, ranks);
+  if (rank == 2)
+  {
+    exabricks::getFirstBlock(lacking)->GetCellData()->RemoveArray("value");
+  }
+  redistribute->SetInputData(lacking);
+  expect({ "process 2 of " + std::to_string(ranks), "a cell array 'value'" }, "a missing array");
+
+  auto odd = deal(rank, ranks);
+  if (rank == 1)
+  {
+    odd = test::makeAMR({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }, slope, { {}, { 1.5, 1.5, 1.5 } });
+  }
+  redistribute->SetInputData(odd);
+  expect({ "process 1 of " + std::to_string(ranks), "spacing" }, "another spacing");
+
+  // Without any blocks there is nothing, and nothing to say.
+  redistribute->SetInputData(test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }));
+  redistribute->Update();
+  checks.Equal(countBlocks(outputOf(redistribute)), 0, "blocks of nothing");
+  checks.Silent(messages.TakeErrors(), "nothing to share out");
+
+  redistribute->SetInputData(deal(rank, ranks));
+  redistribute->Update();
+  checks.Expect(countBlocks(outputOf(redistribute)) > 0, "all is well again");
+  checks.Silent(messages.TakeErrors(), "all is well again");
+
+  // An AMR that is not shared out is drawn, and that is said.
+  vtkMultiProcessController::SetGlobalController(controller);
+  vtkNew<vtkExaBricksBuilder> builder;
+  builder->SetInputData(deal(rank, ranks));
+  builder->Update();
+  checks.Says(
+    messages.TakeWarnings(), { "vtkExaBricksRedistribute" }, "an AMR that is not shared out");
+  builder->SetInputConnection(redistribute->GetOutputPort());
+  builder->Update();
+  checks.Silent(messages.TakeWarnings(), "one that is");
+  vtkMultiProcessController::SetGlobalController(nullptr);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  int status = EXIT_FAILURE;
+  {
+    test::Checks checks;
+    checks.Expect(controller->GetNumberOfProcesses() >= 3, "run by mpiexec -n 3 or more");
+    checkCells(checks, controller);
+    checkTimeSteps(checks, controller);
+    checkFaults(checks, controller);
+    status = checks.Status();
+  }
+  int worst = EXIT_SUCCESS;
+  controller->AllReduce(&status, &worst, 1, vtkCommunicator::MAX_OP);
+  controller->Finalize();
+  return worst;
+}
