@@ -112,21 +112,17 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
   // the step go. Others end at its faces; crossings of surfaces are found one by one.
   const bool keepsIntervals = isPart && !isNearest && step > 0.0 && !jittered &&
     2.0 * stepScale * growth <= PART_REACH;
-  if (isPart && !keepsIntervals && !(isNearest && isIsosurface))
+  const bool endsWithPart = isPart && !keepsIntervals && !(isNearest && isIsosurface);
+  bool isEmpty = false;
+  if (endsWithPart && isSlice)
   {
-    const bool isEmpty = isSlice ? !isInPart(ray, entry)
-                                 : !(max(entry, ray.partBegin) < min(exit, ray.partEnd));
-    if (isEmpty)
-    {
-      cursor.intervals = 0;
-      cursor.exit = -1.0;
-      return;
-    }
-    if (!isSlice)
-    {
-      entry = max(entry, ray.partBegin);
-      exit = min(exit, ray.partEnd);
-    }
+    isEmpty = !isInPart(ray, entry);
+  }
+  else if (endsWithPart)
+  {
+    isEmpty = !(max(entry, ray.partBegin) < min(exit, ray.partEnd));
+    entry = max(entry, ray.partBegin);
+    exit = min(exit, ray.partEnd);
   }
   cursor.others = firstBrick;
   cursor.brick = nextBrick(cursor.others);
@@ -155,8 +151,13 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
   }
   cursor.entry = entry;
   cursor.exit = exit;
-  if (keepsIntervals && !keepIntervalsOfPart(ray, entry, cursor))
+  if (keepsIntervals)
   {
+    isEmpty = !keepIntervalsOfPart(ray, entry, cursor);
+  }
+  if (isPart && isEmpty)
+  {
+    cursor.intervals = 0;
     cursor.exit = -1.0; // nothing is known behind it
   }
 }

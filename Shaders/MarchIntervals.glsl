@@ -26,20 +26,21 @@ bool findEnd(Ray ray, Cursor cursor, out float end)
   return findEnd(ray, cursor, end, absent);
 }
 
-// What of an interval lies in the part that is drawn. What is gathered goes on from its end.
-void addPartOfInterval(
-  float from, float to, float units, vec2 part, Spot spot, inout Accumulator gathered)
+// What of an interval lies in the part that is drawn. What is gathered goes on from its end: points are
+// where the next one begins.
+void addPartOfInterval(float from, float to, float units, bool isFirst, vec2 part, Spot spot,
+  inout Accumulator gathered)
 {
-  if (part.x < part.y)
+  const bool isCut = part != vec2(0.0, 1.0) && !isFirst;
+  const bool isEmpty = !(part.x < part.y);
+  const float begin = mix(from, to, part.x);
+  const float end = mix(from, to, part.y);
+  // Where the piece begins, the piece, and where the interval ends: in a loop, as compilers take their
+  // time for each place where intervals are added.
+  for (int step = isCut ? (isEmpty ? 2 : 0) : 1; step <= (isCut && !isExtremum ? 2 : 1); ++step)
   {
-    const float first = mix(from, to, part.x);
-    const float last = mix(from, to, part.y);
-    addInterval(first, first, 0.0, true, spot, gathered);
-    addInterval(first, last, (part.y - part.x) * units, false, spot, gathered);
-  }
-  if (!isExtremum)
-  {
-    addInterval(to, to, 0.0, true, spot, gathered);
+    addInterval(step == 2 ? to : begin, step == 0 ? begin : step == 1 ? end : to,
+      (part.y - part.x) * units, isFirst || step != 1, spot, gathered);
   }
 }
 
@@ -98,11 +99,12 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
         0.5 * (cursor.gradient + nextGradient));
       if (!isIsosurface)
       {
-        const float begin = cursor.entry + float(k - 1) / float(count) * length;
-        const vec2 part = first ? vec2(0.0, 1.0) : keptOf(ray, begin, begin + length / float(count));
-        if (isPart && part != vec2(0.0, 1.0))
+        if (isPart)
         {
-          addPartOfInterval(cursor.value, next, units, part, spot, gathered);
+          const float begin = cursor.entry + float(k - 1) / float(count) * length;
+          addPartOfInterval(cursor.value, next, units, first,
+            first ? vec2(0.0, 1.0) : keptOf(ray, begin, begin + length / float(count)), spot,
+            gathered);
         }
         else
         {
