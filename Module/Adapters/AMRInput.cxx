@@ -256,6 +256,7 @@ private:
     }
     this->Input.hierarchy.blocks.push_back(block);
     this->Input.grids.emplace_back(grid);
+    this->Input.numbers.push_back(index);
     this->Input.offsets.push_back(offset);
   }
 

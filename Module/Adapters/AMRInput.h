@@ -23,6 +23,7 @@ struct AMRInput
   Hierarchy hierarchy;       // levels without blocks are left out
   std::vector<int> amrLevel; // [level of the hierarchy], its number in the AMR
   std::vector<vtkSmartPointer<vtkImageData>> grids; // [block]
+  std::vector<unsigned int> numbers;                // [block], in its level of the AMR
   std::vector<Int3> offsets; // [block], of its AMR box in the cells of its grid (ghost layers)
   bool onPoints = false;     // see takePoints()
   std::string fault;         // empty, or why it cannot be drawn

@@ -33,6 +33,45 @@ void initialize(vtkOverlappingAMR* amr, const std::vector<int>& blocksPerLevel)
 #endif
 }
 
+// `ranges`: of the components, and of several their magnitude.
+void addRanges(vtkDataArray* array, ArrayRanges& ranges)
+{
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+  {
+    const int component = static_cast<int>(k);
+    double range[2];
+    array->GetFiniteRange(range, component < array->GetNumberOfComponents() ? component : -1);
+    ranges[k].add(Range{ range[0], range[1] }); // (greatest, least) of no number
+  }
+}
+
+// The same without cells that are hidden, or that another block has.
+void addRangesOfMarked(vtkDataArray* array, vtkDataArray* marks, ArrayRanges& ranges)
+{
+  constexpr int without = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    if ((static_cast<int>(marks->GetComponent(i, 0)) & without) != 0)
+    {
+      continue;
+    }
+    double squares = 0.0;
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const double value = array->GetComponent(i, c);
+      squares += value * value;
+      if (std::isfinite(value))
+      {
+        ranges[static_cast<std::size_t>(c)].add(value);
+      }
+    }
+    if (array->GetNumberOfComponents() > 1 && std::isfinite(squares))
+    {
+      ranges.back().add(std::sqrt(squares));
+    }
+  }
+}
+
 bool isGhosts(const std::string& name) { return name == vtkDataSetAttributes::GhostArrayName(); }
 }
 
@@ -347,38 +386,30 @@ void Redistribution::FindRanges(vtkOverlappingAMR* output) const
       for (std::size_t k = 0; k < this->Arrays.size(); ++k)
       {
         vtkDataArray* const array = block->GetCellData()->GetArray(this->Arrays[k].name.c_str());
-        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-        {
-          constexpr int without =
-            vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-          if (marks && (static_cast<int>(marks->GetComponent(i, 0)) & without) != 0)
-          {
-            continue;
-          }
-          double squares = 0.0;
-          for (int c = 0; c < this->Arrays[k].components; ++c)
-          {
-            const double value = array->GetComponent(i, c);
-            squares += value * value;
-            if (std::isfinite(value))
-            {
-              ranges[k][static_cast<std::size_t>(c)].add(value);
-            }
-          }
-          if (this->Arrays[k].components > 1 && std::isfinite(squares))
-          {
-            ranges[k].back().add(std::sqrt(squares));
-          }
-        }
+        marks ? addRangesOfMarked(array, marks, ranges[k]) : addRanges(array, ranges[k]);
       }
     });
+
+  // In one message: least values, and greatest ones below 0.
+  std::vector<double> own;
+  for (const ArrayRanges& ofArray : ranges)
+  {
+    for (const Range& range : ofArray)
+    {
+      own.push_back(range.min);
+      own.push_back(-range.max);
+    }
+  }
+  std::vector<double> all(own.size());
+  this->Group.controller->AllReduce(
+    own.data(), all.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+  std::size_t next = 0;
   for (std::size_t k = 0; k < ranges.size(); ++k)
   {
     for (Range& range : ranges[k])
     {
-      const Range own = range;
-      this->Group.controller->AllReduce(&own.min, &range.min, 1, vtkCommunicator::MIN_OP);
-      this->Group.controller->AllReduce(&own.max, &range.max, 1, vtkCommunicator::MAX_OP);
+      range.min = all[next++];
+      range.max = -all[next++];
     }
     setWholeRanges(output, this->Arrays[k].name, ranges[k]);
   }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <set>
 
 namespace exabricks
 {
@@ -146,12 +145,13 @@ std::string SharedStructure::AgreeOnLattice(const LocalBlocks& local)
 // before.
 std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool completed, bool& changed)
 {
-  constexpr std::size_t numbersOfBlock = 7;
+  constexpr std::size_t numbersOfBlock = 8;
   std::vector<vtkIdType> own;
   for (std::size_t b = 0; b < local.level.size(); ++b)
   {
     const Box& cells = local.input.hierarchy.blocks[b].cells;
     own.push_back(local.level[b]);
+    own.push_back(local.input.numbers[b]);
     for (int axis = 0; axis < 3; ++axis)
     {
       own.push_back(cells.lo[axis]);
@@ -182,7 +182,14 @@ std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool complet
   this->Key = std::move(key);
   this->Whole.blocks.clear();
   this->Owners.clear();
-  std::set<std::vector<vtkIdType>> taken; // a block that several processes have counts once
+  // In the order that they have on one process, by which bricks and regions are made. A block that
+  // several processes have counts once.
+  struct Found
+  {
+    std::vector<vtkIdType> numbers; // level, number in it, box
+    Owner owner;
+  };
+  std::vector<Found> found;
   for (std::size_t rank = 0; rank < lengths.size(); ++rank)
   {
     const std::size_t blocks = static_cast<std::size_t>(lengths[rank]) / numbersOfBlock;
@@ -190,15 +197,23 @@ std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool complet
     {
       const vtkIdType* const at =
         &all[static_cast<std::size_t>(offsets[rank]) + b * numbersOfBlock];
-      if (!taken.emplace(at, at + numbersOfBlock).second)
-      {
-        continue;
-      }
-      const auto level = std::lower_bound(this->AMRLevel.begin(), this->AMRLevel.end(), at[0]);
-      this->Whole.blocks.push_back({ static_cast<int>(level - this->AMRLevel.begin()),
-        { Int3(at[1], at[3], at[5]), Int3(at[2], at[4], at[6]) } });
-      this->Owners.push_back({ static_cast<int>(rank), static_cast<int>(b) });
+      found.push_back(
+        { { at, at + numbersOfBlock }, { static_cast<int>(rank), static_cast<int>(b) } });
     }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [](const Found& a, const Found& b) { return a.numbers < b.numbers; });
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const std::vector<vtkIdType>& at = found[i].numbers;
+    if (i > 0 && at == found[i - 1].numbers)
+    {
+      continue;
+    }
+    const auto level = std::lower_bound(this->AMRLevel.begin(), this->AMRLevel.end(), at[0]);
+    this->Whole.blocks.push_back({ static_cast<int>(level - this->AMRLevel.begin()),
+      { Int3(at[2], at[4], at[6]), Int3(at[3], at[5], at[7]) } });
+    this->Owners.push_back(found[i].owner);
   }
   return findFault(this->Whole);
 }

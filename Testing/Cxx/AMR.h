@@ -166,6 +166,44 @@ inline void forEachGrid(vtkOverlappingAMR* amr,
   }
 }
 
+/// The same boxes with those of the blocks alone for which keep(level, index among all blocks) says
+/// so. (A block that is there cannot be taken away: VTK ignores null.)
+inline vtkSmartPointer<vtkOverlappingAMR> keepBlocks(
+  vtkOverlappingAMR* amr, const std::function<bool(unsigned int, unsigned int)>& keep)
+{
+  auto kept = vtkSmartPointer<vtkOverlappingAMR>::New();
+  std::vector<unsigned int> count;
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    count.push_back(exabricks::numberOfBlocks(amr, level));
+  }
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  kept->Initialize(count);
+#else
+  const std::vector<int> blocksPerLevel(count.begin(), count.end());
+  kept->Initialize(static_cast<int>(count.size()), blocksPerLevel.data());
+#endif
+  kept->SetGridDescription(amr->GetGridDescription());
+  kept->SetOrigin(amr->GetOrigin());
+  unsigned int number = 0;
+  for (unsigned int level = 0; level < count.size(); ++level)
+  {
+    double spacing[3];
+    amr->GetSpacing(level, spacing);
+    kept->SetSpacing(level, spacing);
+    for (unsigned int i = 0; i < count[level]; ++i, ++number)
+    {
+      kept->SetAMRBox(level, i, amr->GetAMRBox(level, i));
+      auto* grid = vtkUniformGrid::SafeDownCast(exabricks::getBlock(amr, level, i));
+      if (grid && keep(level, number))
+      {
+        kept->SetDataSet(level, i, grid);
+      }
+    }
+  }
+  return kept;
+}
+
 /// All blocks there, with a cell array "value".
 inline vtkSmartPointer<vtkOverlappingAMR> makeAMR(
   const std::vector<Block>& blocks, const Field& field, const Lattice& lattice = {})

@@ -84,22 +84,13 @@ enum class Dealt
 };
 vtkSmartPointer<vtkOverlappingAMR> deal(vtkOverlappingAMR* whole, Dealt dealt, int rank, int ranks)
 {
-  auto own = vtkSmartPointer<vtkOverlappingAMR>::New();
-  own->ShallowCopy(whole);
-  unsigned int number = 0;
-  for (unsigned int level = 0; level < whole->GetNumberOfLevels(); ++level)
-  {
-    for (unsigned int i = 0; i < exabricks::numberOfBlocks(whole, level); ++i, ++number)
+  return test::keepBlocks(whole,
+    [=](unsigned int level, unsigned int number)
     {
       const int owner =
         dealt == Dealt::Badly ? (level == 0 ? 0 : ranks - 1) : static_cast<int>(number) % ranks;
-      if (owner != rank && dealt != Dealt::ToAll)
-      {
-        own->SetDataSet(level, i, nullptr);
-      }
-    }
-  }
-  return own;
+      return dealt == Dealt::ToAll || owner == rank;
+    });
 }
 
 // What is set beside the scene.
