@@ -14,6 +14,7 @@ assert classes == {
     "vtkExaBricksFileCheck",
     "vtkExaBricksFirstPicture",
     "vtkExaBricksPicker",
+    "vtkExaBricksRedistribute",
     "vtkExaBricksSceneSource",
     "vtkExaBricksVolumeMapper",
 }
