@@ -17,6 +17,10 @@
  * field data, so that transfer functions mean the same everywhere. Point arrays stay behind. Of one
  * process the output is the input.
  *
+ * An ErrorTolerance does not count for a part, and maximum, minimum, average and additive blending
+ * is that of the part, which the mapper says. Cells that are picked or selected are those of the
+ * output.
+ *
  * All processes have to update it together. Boxes of blocks travel first, and the structure is kept
  * while they stay the same: another array or time step moves values alone. What goes wrong on one
  * process is said by the first one, with the number of the other, and no process has blocks then.

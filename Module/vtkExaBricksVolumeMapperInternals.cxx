@@ -116,6 +116,26 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
       { "UseNanColor counts with blend mode composite, one component and a color function of three "
         "channels: cells without a value are left out." } });
   }
+  if (bricked.volume.structure->hierarchy.whole)
+  {
+    // Each process would choose steps and levels of its own; and values of rays end with the part.
+    exabricks::Requests ofPart;
+    if (this->Self->ErrorTolerance > 0.0)
+    {
+      ofPart.drawnWithout.emplace_back("One of several processes draws without ErrorTolerance: "
+                                       "steps are those of StepScale.");
+    }
+    const exabricks::Blending blending = exabricks::findBlending(this->Self);
+    if (blending != exabricks::Blending::Composite && blending != exabricks::Blending::Isosurface &&
+      blending != exabricks::Blending::Slice)
+    {
+      ofPart.drawnWithout.emplace_back(
+        "One of several processes draws the greatest, least or mean value, or the sum, of its own "
+        "part: "
+        "pictures put one over the other are not that of one process.");
+    }
+    this->Report(ofPart);
+  }
   this->Report({ {},
     exabricks::checkCategories(property, static_cast<int>(bricked.volume.components()),
       this->FindReconstruction(property)) });

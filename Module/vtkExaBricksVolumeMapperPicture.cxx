@@ -64,7 +64,8 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
   view.quality.stepScale = this->Self->StepScale;
   view.quality.sampleDistance = this->Self->SampleDistance;
   view.quality.jittered = this->Self->UseJittering;
-  view.quality.errorTolerance = this->Self->ErrorTolerance;
+  view.quality.errorTolerance =
+    bricked.volume.structure->hierarchy.whole ? 0.0 : this->Self->ErrorTolerance;
   view.cutaway = exabricks::makeCutaway(this->Self, vol, bricked);
   view.opacityUnitDistance = vol->GetProperty()->GetScalarOpacityUnitDistance(0);
   view.quality.terminationOpacity = this->Self->EarlyTerminationOpacity;

@@ -313,7 +313,11 @@ bool vtkExaBricksRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddVolume(this->Volume);
-  renderView->RegisterPropForHardwareSelection(this, this->Volume);
+  // The blocks that a rank draws are not those that it was given, which a selection would name.
+  if (!this->IsOneOfSeveral())
+  {
+    renderView->RegisterPropForHardwareSelection(this, this->Volume);
+  }
   return this->Superclass::AddToView(view);
 }
 
@@ -324,7 +328,10 @@ bool vtkExaBricksRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
+  if (!this->IsOneOfSeveral())
+  {
+    renderView->UnRegisterPropForHardwareSelection(this, this->Volume);
+  }
   renderView->GetRenderer()->RemoveVolume(this->Volume);
   return this->Superclass::RemoveFromView(view);
 }

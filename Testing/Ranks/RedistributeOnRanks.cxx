@@ -3,6 +3,7 @@
 // says.
 #include "AMR.h"
 #include "Checks.h"
+#include "Stage.h"
 
 #include "vtkExaBricksBuilder.h"
 #include "vtkExaBricksData.h"
@@ -104,6 +105,30 @@ void checkTimeSteps(test::Checks& checks, vtkMPIController* controller)
   checks.Equal(redistribute->GetNumberOfStructureBuilds(), 1, "builds of the structure");
 }
 
+// What a part cannot have alone is said.
+void checkMessages(test::Checks& checks, vtkMPIController* controller)
+{
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  redistribute->SetInputData(
+    deal(controller->GetLocalProcessId(), controller->GetNumberOfProcesses()));
+  redistribute->Update();
+  test::KeepDisplay display;
+  test::Stage stage(outputOf(redistribute));
+  stage.Property()->GetScalarOpacity()->AddPoint(0.0, 0.5);
+  stage.Property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  test::Messages messages;
+  stage.window->Render();
+  checks.Silent(messages.TakeWarnings(), "a plain part");
+  stage.mapper->SetErrorTolerance(0.01);
+  stage.window->Render();
+  checks.Says(messages.TakeWarnings(), { "without ErrorTolerance" }, "a tolerance");
+  stage.mapper->SetBlendModeToMaximumIntensity();
+  stage.window->Render();
+  checks.Says(messages.TakeWarnings(), { "of its own part" }, "a maximum");
+  checks.Silent(messages.TakeErrors(), "a part");
+}
+
 // What is wrong on one process is said once, with its number, and nobody waits for it.
 void checkFaults(test::Checks& checks, vtkMPIController* controller)
 {
@@ -171,6 +196,7 @@ int main(int argc, char* argv[])
     checks.Expect(controller->GetNumberOfProcesses() >= 3, "run by mpiexec -n 3 or more");
     checkCells(checks, controller);
     checkTimeSteps(checks, controller);
+    checkMessages(checks, controller);
     checkFaults(checks, controller);
     status = checks.Status();
   }
