@@ -14,7 +14,6 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -91,7 +90,6 @@ struct vtkExaBricksBuilder::vtkInternals
   std::shared_ptr<const exabricks::Structure> Structure; // kept while the boxes stay the same
   bool ReportedConversion = false;
   bool ReportedUnread = false;
-  bool ReportedWhole = false;
   exabricks::UnfinishedRun Unfinished;
 
   explicit vtkInternals(vtkExaBricksBuilder* self)
@@ -131,6 +129,10 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
         << levels[0] << " to " << levels[1] << ". Call SetLevelRange().");
     return nullptr;
   }
+  if (exabricks::findPart(amr) && !exabricks::getFirstBlock(amr))
+  {
+    return nullptr; // there were not enough cells for all processes
+  }
   exabricks::AMRInput input = exabricks::readAMR(amr,
     { static_cast<unsigned int>(std::max(levels[0], 0)), static_cast<unsigned int>(levels[1]) });
   if (!input.fault.empty())
@@ -142,16 +144,6 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
   {
     this->ReportedUnread = true; // once, as the next time step is read as this one
     vtkWarningWithObjectMacro(this->Self, << input.unread);
-  }
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (processes && processes->GetNumberOfProcesses() > 1 && !input.isPart && !this->ReportedWhole)
-  {
-    this->ReportedWhole = true;
-    vtkWarningWithObjectMacro(this->Self,
-      "This is one of "
-        << processes->GetNumberOfProcesses()
-        << " processes, and the AMR is not shared out among them: what each draws is "
-           "neither whole nor in order. Put a vtkExaBricksRedistribute before it.");
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
   if (this->Self->GetInputArrayToProcess(0, input.grids.front(), association) &&

@@ -16,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <exception>
 #include <glm/matrix.hpp>
 
@@ -57,13 +58,17 @@ vtkMultiProcessController* vtkExaBricksRedistribute::GetController()
 int vtkExaBricksRedistribute::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+  info->Set(
+    vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // a process without must not leave others waiting
   return 1;
 }
 
 int vtkExaBricksRedistribute::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkOverlappingAMR* input = vtkOverlappingAMR::GetData(inputVector[0], 0);
+  vtkOverlappingAMR* input = inputVector[0]->GetNumberOfInformationObjects() > 0
+    ? vtkOverlappingAMR::GetData(inputVector[0], 0)
+    : nullptr;
   vtkOverlappingAMR* output = vtkOverlappingAMR::GetData(outputVector, 0);
   if (this->Internals->IsAlone())
   {
@@ -80,12 +85,14 @@ int vtkExaBricksRedistribute::RequestData(
     {
       output->GetFieldData()->PassData(input->GetFieldData());
     }
-    fault = this->Internals->Redistribution.redistribute(
-      this->Internals->Controller, input, this->ForCompleted, output);
+    fault = this->Internals->Redistribution.redistribute(this->Internals->Controller, input,
+      { static_cast<unsigned int>(std::max(this->LevelRange[0], 0)),
+        static_cast<unsigned int>(std::max(this->LevelRange[1], 0)) },
+      this->ForCompleted, output);
   }
   catch (const std::exception& error)
   {
-    fault = error.what(); // of the structure, the same on all processes
+    fault = error.what(); // what may differ between processes was agreed on
   }
   if (!fault.empty() && this->Internals->Controller->GetLocalProcessId() == 0)
   {
@@ -174,6 +181,7 @@ void vtkExaBricksRedistribute::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Internals->Controller.Get() << "\n";
+  os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "ForCompleted: " << (this->ForCompleted ? "on" : "off") << "\n";
   os << indent << "NumberOfCellsToDraw: " << this->GetNumberOfCellsToDraw() << "\n";
   os << indent << "NumberOfCells: " << this->GetNumberOfCells() << "\n";

@@ -68,6 +68,15 @@ public:
   vtkBooleanMacro(ForCompleted, bool);
   ///@}
 
+  ///@{
+  /**
+   * The levels that count, from the first to the last number: all by default. As
+   * vtkExaBricksBuilder::SetLevelRange(), which a part has no use for.
+   */
+  vtkSetVector2Macro(LevelRange, int);
+  vtkGetVector2Macro(LevelRange, int);
+  ///@}
+
   /// The processes in the order in which what they draw hides that of others. `toWorld`: of the
   /// volume, or null. Those with nothing to draw are not among them. The same on all processes.
   void GetFrontToBack(vtkCamera* camera, vtkMatrix4x4* toWorld, vtkIdList* processes);
@@ -102,6 +111,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   bool ForCompleted = false;
+  int LevelRange[2] = { 0, VTK_INT_MAX };
 
 private:
   vtkExaBricksRedistribute(const vtkExaBricksRedistribute&) = delete;

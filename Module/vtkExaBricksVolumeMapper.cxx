@@ -8,6 +8,7 @@
 #include "vtkExaBricksVolumeMapperInternals.h"
 
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkGarbageCollector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -228,7 +229,13 @@ vtkIdType vtkExaBricksVolumeMapper::GetNumberOfRays() { return this->Internals->
 vtkDataSet* vtkExaBricksVolumeMapper::GetDataSetInput()
 {
   vtkDataSet* only = this->GetInput();
-  return only && only->GetPointData()->GetScalars() ? only : nullptr;
+  vtkDataArray* scalars = only ? only->GetPointData()->GetScalars() : nullptr;
+  const bool named = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA &&
+    this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && scalars && scalars->GetName() &&
+    std::string(scalars->GetName()) == this->ArrayName;
+  const bool active = this->ScalarMode == VTK_SCALAR_MODE_DEFAULT ||
+    this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_DATA;
+  return scalars && (named || active) ? only : nullptr;
 }
 
 vtkDataSet* vtkExaBricksVolumeMapper::GetInput(int port)

@@ -429,8 +429,8 @@ public:
   vtkDataSet* GetInput(int port) override;
   ///@}
 
-  /// The same, if that block has scalars at its points: vtkCellPicker and vtkVolumePicker take it
-  /// for the image to pick in.
+  /// The same, if scalars at its points are drawn: vtkCellPicker and vtkVolumePicker take it for
+  /// the image to pick in.
   vtkDataSet* GetDataSetInput() override;
 
   double* GetBounds() override;

@@ -7,6 +7,7 @@
 #include "Core/Completion.h"
 #include "vtkExaBricksData.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -134,7 +135,26 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
         "part: "
         "pictures put one over the other are not that of one process.");
     }
+    if (!bricked.volume.structure->hierarchy.whole->completed &&
+      this->FindReconstruction(property) == exabricks::Reconstruction::Completed)
+    {
+      ofPart.drawnWithout.emplace_back(
+        "One of several processes lacks cells to complete levels with, so that its part ends in a "
+        "seam. "
+        "Call SetForCompleted(true) of the vtkExaBricksRedistribute.");
+    }
     this->Report(ofPart);
+  }
+  else if (vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController())
+  {
+    const int count = processes->GetNumberOfProcesses();
+    if (count > 1)
+    {
+      this->Report({ {},
+        { "This is one of " + std::to_string(count) +
+          " processes, and the AMR is not shared out among them: what each draws is neither whole "
+          "nor in order. Put a vtkExaBricksRedistribute before the mapper." } });
+    }
   }
   this->Report({ {},
     exabricks::checkCategories(property, static_cast<int>(bricked.volume.components()),

@@ -110,19 +110,20 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
 {
   // Intervals of a part reach beyond it, where there are cells for them: as far as two of those of
   // the step go. Others end at its faces; crossings of surfaces are found one by one.
-  const bool keepsIntervals = isPart && !isNearest && step > 0.0 && !jittered &&
+  const bool keepsIntervals = isPart && !isNearest && !isSlice && step > 0.0 && !jittered &&
     2.0 * stepScale * growth <= PART_REACH;
-  const bool endsWithPart = isPart && !keepsIntervals && !(isNearest && isIsosurface);
   bool isEmpty = false;
-  if (endsWithPart && isSlice)
+  if (isPart && isSlice)
   {
-    isEmpty = !isInPart(ray, entry);
+    isEmpty = !isInPart(ray, ray.begin); // the place of the slice
   }
-  else if (endsWithPart)
+  else if (isPart && !keepsIntervals)
   {
-    isEmpty = !(max(entry, ray.partBegin) < min(exit, ray.partEnd));
-    entry = max(entry, ray.partBegin);
-    exit = min(exit, ray.partEnd);
+    // Surfaces between cells may be at the part's face, and take the cells on both sides.
+    const float beyond = isNearest && isIsosurface ? 0.1 : 0.0;
+    isEmpty = !(max(entry, ray.partBegin - beyond) < min(exit, ray.partEnd + beyond));
+    entry = max(entry, ray.partBegin - beyond);
+    exit = min(exit, ray.partEnd + beyond);
   }
   cursor.others = firstBrick;
   cursor.brick = nextBrick(cursor.others);

@@ -264,6 +264,7 @@ private:
   std::shared_ptr<const WholeHierarchy> FindWhole() const
   {
     auto whole = std::make_shared<WholeHierarchy>();
+    whole->completed = this->Part->whole->completed;
     const std::vector<int>& levels = this->Input.amrLevel;
     whole->blocks.reserve(this->Part->whole->blocks.size());
     for (const Block& block : this->Part->whole->blocks)
@@ -288,6 +289,13 @@ private:
     const double* origin = this->AMR->GetOrigin();
     this->Input.fault = makeLattice(this->Spacings, this->Input.amrLevel,
       { origin[0], origin[1], origin[2] }, this->Input.hierarchy);
+    if (this->Part && this->Ok() &&
+      (this->Levels.first > 0 || this->Levels.last + 1 < this->AMR->GetNumberOfLevels()))
+    {
+      this->Input.fault =
+        "expected all levels of one process's part of an AMR, found a level range. "
+        "Call SetLevelRange() of the vtkExaBricksRedistribute";
+    }
     if (this->Part && this->Ok())
     {
       this->Input.isPart = true;

@@ -11,7 +11,7 @@ namespace exabricks
 {
 namespace
 {
-constexpr const char* partName = "ExaBricksPart";   // its box, then the reach
+constexpr const char* partName = "ExaBricksPart"; // its box, whether for completing, then the reach
 constexpr const char* wholeName = "ExaBricksWhole"; // level and box of each block
 constexpr const char* rangesName = "ExaBricksRanges of ";
 }
@@ -31,6 +31,7 @@ void markPart(vtkOverlappingAMR* amr, const AMRPart& part)
     }
   };
   append(numbers, part.box);
+  numbers->InsertNextValue(part.whole->completed);
   for (const std::int64_t reach : part.whole->reach)
   {
     numbers->InsertNextValue(reach);
@@ -53,7 +54,7 @@ std::optional<AMRPart> findPart(vtkOverlappingAMR* amr)
 {
   auto* numbers = vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(partName));
   auto* blocks = vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(wholeName));
-  if (!numbers || numbers->GetNumberOfValues() < 7 || !blocks ||
+  if (!numbers || numbers->GetNumberOfValues() < 8 || !blocks ||
     blocks->GetNumberOfComponents() != 7)
   {
     return std::nullopt;
@@ -64,8 +65,9 @@ std::optional<AMRPart> findPart(vtkOverlappingAMR* amr)
   AMRPart part;
   part.box = boxAt(numbers->GetPointer(0));
   auto whole = std::make_shared<WholeHierarchy>();
+  whole->completed = numbers->GetValue(6) != 0;
   whole->reach.assign(
-    numbers->GetPointer(6), numbers->GetPointer(0) + numbers->GetNumberOfValues());
+    numbers->GetPointer(7), numbers->GetPointer(0) + numbers->GetNumberOfValues());
   whole->blocks.reserve(static_cast<std::size_t>(blocks->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < blocks->GetNumberOfTuples(); ++i)
   {

@@ -4,6 +4,8 @@
 #ifndef ExaBricksAdaptersProcesses_h
 #define ExaBricksAdaptersProcesses_h
 
+#include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,25 @@ struct Processes
   void exchange(std::vector<std::vector<unsigned char>>& sent,
     std::vector<std::vector<unsigned char>>& received) const;
 };
+
+/// What goes wrong in `work` on this process, which must not leave the others waiting for it.
+template <typename Work>
+std::string guard(const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "out of memory for what it holds of the AMR";
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+  return {};
+}
 }
 
 #endif

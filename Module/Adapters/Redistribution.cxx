@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <optional>
 
 namespace exabricks
 {
@@ -76,12 +77,19 @@ bool isGhosts(const std::string& name) { return name == vtkDataSetAttributes::Gh
 }
 
 std::string Redistribution::redistribute(vtkMultiProcessController* controller,
-  vtkOverlappingAMR* input, bool completed, vtkOverlappingAMR* output)
+  vtkOverlappingAMR* input, const LevelRange& levels, bool completed, vtkOverlappingAMR* output)
 {
   this->Group = Processes(controller);
   initialize(output, { 0 });
-  const LocalBlocks local(input);
-  std::string fault = this->Structure.update(this->Group, local, completed);
+  this->CellsHeld = this->BytesReceived = 0;
+  std::optional<LocalBlocks> read;
+  std::string fault = this->Group.agree(guard([&] { read.emplace(input, levels); }));
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const LocalBlocks& local = *read;
+  fault = this->Structure.update(this->Group, local, completed);
   if (!fault.empty() || this->Structure.empty())
   {
     return fault;
@@ -94,35 +102,23 @@ std::string Redistribution::redistribute(vtkMultiProcessController* controller,
   const auto count = static_cast<std::size_t>(this->Group.count);
   std::vector<Bytes> sent(count);
   std::vector<Bytes> received(count);
-  this->BytesReceived = 0;
-  try
-  {
-    for (std::size_t rank = 0; rank < count; ++rank)
+  fault = this->Group.agree(guard(
+    [&]
     {
-      sent[rank] = this->Pack(local, this->Structure.sent()[rank]);
-      received[rank].resize(this->BytesOf(this->Structure.received()[rank]));
-      this->BytesReceived += static_cast<int>(rank) == this->Group.rank ? 0 : received[rank].size();
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    fault = "out of memory for the values of its part";
-  }
-  fault = this->Group.agree(fault);
+      for (std::size_t rank = 0; rank < count; ++rank)
+      {
+        sent[rank] = this->Pack(local, this->Structure.sent()[rank]);
+        received[rank].resize(this->BytesOf(this->Structure.received()[rank]));
+        this->BytesReceived +=
+          static_cast<int>(rank) == this->Group.rank ? 0 : received[rank].size();
+      }
+    }));
   if (!fault.empty())
   {
     return fault;
   }
   this->Group.exchange(sent, received);
-  try
-  {
-    this->MakeOutput(received, output);
-  }
-  catch (const std::bad_alloc&)
-  {
-    fault = "out of memory for the blocks of its part";
-  }
-  fault = this->Group.agree(fault);
+  fault = this->Group.agree(guard([&] { this->MakeOutput(received, output); }));
   if (!fault.empty())
   {
     output->Initialize();
@@ -174,6 +170,10 @@ Redistribution::Bytes Redistribution::Pack(
       const Int3 cells(points[0] - 1, points[1] - 1, points[2] - 1);
       const auto* const from =
         array ? static_cast<const unsigned char*>(array->GetVoidPointer(0)) : nullptr;
+      if (array && !from)
+      {
+        throw std::bad_alloc(); // an array of another layout is copied
+      }
       const std::size_t length = static_cast<std::size_t>(piece.cells.size().x) * bytesOfCell;
       for (std::int64_t z = piece.cells.lo.z; z < piece.cells.hi.z; ++z)
       {
@@ -201,9 +201,9 @@ Redistribution::Bytes Redistribution::Pack(
 std::string Redistribution::AgreeOnArrays(const LocalBlocks& local)
 {
   const bool has = !local.level.empty();
-  const int own = has ? this->Group.rank : this->Group.count;
-  int first = own;
-  this->Group.controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+  const int candidate = has ? this->Group.rank : this->Group.count;
+  int first = candidate;
+  this->Group.controller->AllReduce(&candidate, &first, 1, vtkCommunicator::MIN_OP);
   int ghosts = 0;
   for (std::size_t b = 0; b < local.level.size(); ++b)
   {
@@ -251,15 +251,37 @@ std::string Redistribution::AgreeOnArrays(const LocalBlocks& local)
   {
     this->Arrays.push_back({ vtkDataSetAttributes::GhostArrayName(), VTK_UNSIGNED_CHAR, 1 });
   }
-  return this->Group.agree(this->CheckArrays(local));
+  // Those that all blocks have travel; without any, what this process lacks is said.
+  std::vector<int> own(this->Arrays.size(), 1);
+  std::string lacking;
+  for (std::size_t k = 0; k < this->Arrays.size(); ++k)
+  {
+    const std::string fault = this->CheckArray(local, this->Arrays[k]);
+    own[k] = fault.empty();
+    lacking = lacking.empty() ? fault : lacking;
+  }
+  std::vector<int> all(own.size(), 1);
+  this->Group.controller->AllReduce(
+    own.data(), all.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+  std::vector<ArrayKind> common;
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    if (all[k] != 0)
+    {
+      common.push_back(this->Arrays[k]);
+    }
+  }
+  const bool none = common.empty() || (common.size() == 1 && isGhosts(common.front().name));
+  const std::string fault = this->Group.agree(none ? lacking : "");
+  this->Arrays = std::move(common);
+  return fault;
 }
 
-std::string Redistribution::CheckArrays(const LocalBlocks& local) const
+std::string Redistribution::CheckArray(const LocalBlocks& local, const ArrayKind& kind)
 {
   for (std::size_t b = 0; b < local.level.size(); ++b)
   {
     vtkImageData* const grid = local.grid(static_cast<int>(b));
-    for (const ArrayKind& kind : this->Arrays)
     {
       vtkDataArray* const array = grid->GetCellData()->GetArray(kind.name.c_str());
       const bool fits = array && array->GetDataType() == kind.type &&

@@ -14,7 +14,7 @@ public:
   /// Puts this process's part into `output`. `completed`: as for findReach(). Returns, on each
   /// process, what went wrong on any of them, and on which; `output` has no blocks then.
   std::string redistribute(vtkMultiProcessController* controller, vtkOverlappingAMR* input,
-    bool completed, vtkOverlappingAMR* output);
+    const LevelRange& levels, bool completed, vtkOverlappingAMR* output);
 
   /// Of the last one: the same on all processes.
   const SharedStructure& structure() const { return this->Structure; }
@@ -35,7 +35,7 @@ private:
   using Bytes = std::vector<unsigned char>;
 
   std::string AgreeOnArrays(const LocalBlocks& local);
-  std::string CheckArrays(const LocalBlocks& local) const;
+  static std::string CheckArray(const LocalBlocks& local, const ArrayKind& kind);
   std::size_t BytesOf(const std::vector<SharedStructure::Piece>& pieces) const;
   Bytes Pack(const LocalBlocks& local, const std::vector<SharedStructure::Piece>& pieces) const;
   void MakeOutput(const std::vector<Bytes>& received, vtkOverlappingAMR* output);

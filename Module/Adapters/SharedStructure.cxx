@@ -9,20 +9,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace exabricks
 {
-LocalBlocks::LocalBlocks(vtkOverlappingAMR* amr)
+LocalBlocks::LocalBlocks(vtkOverlappingAMR* amr, const LevelRange& levels)
 {
-  if (amr && getFirstBlock(amr))
+  bool any = false;
+  for (unsigned int l = levels.first; amr && l < amr->GetNumberOfLevels() && l <= levels.last; ++l)
   {
-    this->input = readAMR(amr);
+    for (unsigned int i = 0; i < numberOfBlocks(amr, l) && !any; ++i)
+    {
+      any = getBlock(amr, l, i) != nullptr;
+    }
+  }
+  if (any)
+  {
+    this->input = readAMR(amr, levels);
     for (const Block& block : this->input.hierarchy.blocks)
     {
       this->level.push_back(this->input.amrLevel[static_cast<std::size_t>(block.level)]);
     }
   }
+}
+
+void SharedStructure::forget()
+{
+  this->Key.clear();
+  this->Whole = {};
+  this->AMRLevel.clear();
+  this->Spacings.clear();
+  this->Owners.clear();
+  this->Leaves = {};
+  this->Shared = {};
+  this->Reach.clear();
+  this->Sent.clear();
+  this->Received.clear();
+  this->CellsToDraw = 0;
 }
 
 std::string SharedStructure::update(
@@ -31,35 +53,22 @@ std::string SharedStructure::update(
   this->Group = processes;
   std::string fault = this->Group.agree(local.input.fault);
   fault = fault.empty() ? this->AgreeOnLattice(local) : fault;
+  std::vector<std::int64_t> key;
+  if (fault.empty() && !this->empty())
+  {
+    fault = this->GatherBlocks(local, completed, key);
+    if (fault.empty() && key != this->Key)
+    {
+      fault = this->Group.agree(guard([&] { this->FindPieces(completed); }));
+    }
+  }
   if (!fault.empty() || this->empty())
   {
     this->forget();
     return fault;
   }
-  bool changed = false;
-  fault = this->GatherBlocks(local, completed, changed);
-  if (!fault.empty())
-  {
-    this->forget();
-    return fault;
-  }
-  if (changed)
-  {
-    try
-    {
-      this->FindPieces(completed);
-    }
-    catch (const std::bad_alloc&)
-    {
-      fault = "out of memory for the boxes of all blocks";
-    }
-    fault = this->Group.agree(fault);
-    if (!fault.empty())
-    {
-      this->forget();
-    }
-  }
-  return fault;
+  this->Key = std::move(key);
+  return {};
 }
 
 // Sets the levels that any process has blocks of, with their spacing, and the origin.
@@ -141,23 +150,27 @@ std::string SharedStructure::AgreeOnLattice(const LocalBlocks& local)
   return this->Group.agree(fault);
 }
 
-// Sets the blocks of all processes, each once, and whether their structure is another one than
-// before.
-std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool completed, bool& changed)
+// Sets the blocks of all processes, each once, and what tells this structure from others.
+std::string SharedStructure::GatherBlocks(
+  const LocalBlocks& local, bool completed, std::vector<std::int64_t>& key)
 {
   constexpr std::size_t numbersOfBlock = 8;
   std::vector<vtkIdType> own;
-  for (std::size_t b = 0; b < local.level.size(); ++b)
-  {
-    const Box& cells = local.input.hierarchy.blocks[b].cells;
-    own.push_back(local.level[b]);
-    own.push_back(local.input.numbers[b]);
-    for (int axis = 0; axis < 3; ++axis)
+  std::string fault = guard(
+    [&]
     {
-      own.push_back(cells.lo[axis]);
-      own.push_back(cells.hi[axis]);
-    }
-  }
+      for (std::size_t b = 0; b < local.level.size(); ++b)
+      {
+        const Box& cells = local.input.hierarchy.blocks[b].cells;
+        own.push_back(local.level[b]);
+        own.push_back(local.input.numbers[b]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          own.push_back(cells.lo[axis]);
+          own.push_back(cells.hi[axis]);
+        }
+      }
+    });
   const auto length = static_cast<vtkIdType>(own.size());
   std::vector<vtkIdType> lengths(static_cast<std::size_t>(this->Group.count));
   this->Group.controller->AllGather(&length, lengths.data(), 1);
@@ -166,62 +179,80 @@ std::string SharedStructure::GatherBlocks(const LocalBlocks& local, bool complet
   {
     offsets[rank] = offsets[rank - 1] + lengths[rank - 1];
   }
-  std::vector<vtkIdType> all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  std::vector<vtkIdType> all;
+  fault = fault.empty()
+    ? guard([&] { all.resize(static_cast<std::size_t>(offsets.back() + lengths.back())); })
+    : fault;
+  fault = this->Group.agree(fault);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   this->Group.controller->AllGatherV(
     own.data(), all.data(), length, lengths.data(), offsets.data());
+  fault = guard(
+    [&]
+    {
+      key.assign(all.begin(), all.end());
+      key.insert(key.end(), lengths.begin(), lengths.end());
+      key.insert(key.end(), this->Whole.cellWidth.begin(), this->Whole.cellWidth.end());
+      key.push_back(completed);
+      if (key != this->Key)
+      {
+        this->TakeBlocks(all, lengths, numbersOfBlock);
+      }
+    });
+  fault = fault.empty() ? findFault(this->Whole) : fault;
+  return this->Group.agree(fault);
+}
 
-  std::vector<std::int64_t> key(all.begin(), all.end());
-  key.insert(key.end(), lengths.begin(), lengths.end());
-  key.insert(key.end(), this->Whole.cellWidth.begin(), this->Whole.cellWidth.end());
-  key.push_back(completed);
-  changed = key != this->Key;
-  if (!changed)
-  {
-    return {};
-  }
-  this->Key = std::move(key);
-  this->Whole.blocks.clear();
-  this->Owners.clear();
-  // In the order that they have on one process, by which bricks and regions are made. A block that
-  // several processes have counts once.
+// In the order that they have on one process, by which bricks and regions are made. A block that
+// several processes have counts once.
+void SharedStructure::TakeBlocks(const std::vector<vtkIdType>& all,
+  const std::vector<vtkIdType>& lengths, std::size_t numbersOfBlock)
+{
   struct Found
   {
-    std::vector<vtkIdType> numbers; // level, number in it, box
+    const vtkIdType* numbers; // level, number in it, box
     Owner owner;
   };
   std::vector<Found> found;
+  const vtkIdType* at = all.data();
   for (std::size_t rank = 0; rank < lengths.size(); ++rank)
   {
     const std::size_t blocks = static_cast<std::size_t>(lengths[rank]) / numbersOfBlock;
-    for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t b = 0; b < blocks; ++b, at += numbersOfBlock)
     {
-      const vtkIdType* const at =
-        &all[static_cast<std::size_t>(offsets[rank]) + b * numbersOfBlock];
-      found.push_back(
-        { { at, at + numbersOfBlock }, { static_cast<int>(rank), static_cast<int>(b) } });
+      found.push_back({ at, { static_cast<int>(rank), static_cast<int>(b) } });
     }
   }
   std::stable_sort(found.begin(), found.end(),
-    [](const Found& a, const Found& b) { return a.numbers < b.numbers; });
+    [&](const Found& a, const Found& b)
+    {
+      return std::lexicographical_compare(
+        a.numbers, a.numbers + numbersOfBlock, b.numbers, b.numbers + numbersOfBlock);
+    });
+  this->Whole.blocks.clear();
+  this->Owners.clear();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const std::vector<vtkIdType>& at = found[i].numbers;
-    if (i > 0 && at == found[i - 1].numbers)
+    const vtkIdType* const block = found[i].numbers;
+    if (i > 0 && std::equal(block, block + numbersOfBlock, found[i - 1].numbers))
     {
       continue;
     }
-    const auto level = std::lower_bound(this->AMRLevel.begin(), this->AMRLevel.end(), at[0]);
+    const auto level = std::lower_bound(this->AMRLevel.begin(), this->AMRLevel.end(), block[0]);
     this->Whole.blocks.push_back({ static_cast<int>(level - this->AMRLevel.begin()),
-      { Int3(at[2], at[4], at[6]), Int3(at[3], at[5], at[7]) } });
+      { Int3(block[2], block[4], block[6]), Int3(block[3], block[5], block[7]) } });
     this->Owners.push_back(found[i].owner);
   }
-  return findFault(this->Whole);
 }
 
 // Which cells of which blocks go where.
 void SharedStructure::FindPieces(bool completed)
 {
   ++this->Builds;
+  this->Completes = completed;
   this->Leaves = findLeafBoxes(this->Whole);
   this->Shared = cutIntoParts(this->Leaves, buildBricks(this->Leaves, this->Whole.cellWidth),
     this->Whole.cellWidth, this->Group.count);
@@ -334,6 +365,7 @@ AMRPart SharedStructure::part() const
     whole->reach[static_cast<std::size_t>(this->AMRLevel[level])] =
       this->Reach[static_cast<std::size_t>(this->Group.rank)][level];
   }
+  whole->completed = this->Completes;
   part.whole = std::move(whole);
   return part;
 }

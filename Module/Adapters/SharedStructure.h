@@ -18,7 +18,7 @@ struct LocalBlocks
   std::vector<int> level; // of each block, in the AMR
 
   /// `amr`: may be null, or without blocks.
-  explicit LocalBlocks(vtkOverlappingAMR* amr);
+  LocalBlocks(vtkOverlappingAMR* amr, const LevelRange& levels);
 
   vtkImageData* grid(int block) const { return this->input.grids[static_cast<std::size_t>(block)]; }
 };
@@ -43,7 +43,7 @@ public:
   /// where the boxes are those of the last time.
   std::string update(const Processes& processes, const LocalBlocks& local, bool completed);
   /// Finds all anew the next time.
-  void forget() { this->Key.clear(); }
+  void forget();
 
   /// No process has any blocks.
   bool empty() const { return this->AMRLevel.empty(); }
@@ -65,7 +65,10 @@ public:
 
 private:
   std::string AgreeOnLattice(const LocalBlocks& local);
-  std::string GatherBlocks(const LocalBlocks& local, bool completed, bool& changed);
+  std::string GatherBlocks(
+    const LocalBlocks& local, bool completed, std::vector<std::int64_t>& key);
+  void TakeBlocks(const std::vector<vtkIdType>& all, const std::vector<vtkIdType>& lengths,
+    std::size_t numbersOfBlock);
   void FindPieces(bool completed);
   std::vector<Piece> ListPieces(int toRank, int fromRank) const;
 
@@ -80,6 +83,7 @@ private:
   std::vector<std::vector<std::int64_t>> Reach; // [process][level]
   std::vector<std::vector<Piece>> Sent;
   std::vector<std::vector<Piece>> Received;
+  bool Completes = false;
   std::uint64_t CellsToDraw = 0;
   int Builds = 0;
 };

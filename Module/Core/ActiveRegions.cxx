@@ -100,7 +100,10 @@ private:
   {
     const std::optional<Box>& shown = this->Subject.hierarchy.shown;
     const Int3 corner = this->Tree.bounds.lo * std::int64_t(2);
-    return !shown || shown->intersects({ Int3(region.lo) + corner, Int3(region.hi) + corner });
+    // Also one that ends at its face: the cell before a surface may be in it.
+    return !shown ||
+      shown->intersects(
+        { Int3(region.lo) + corner - std::int64_t(1), Int3(region.hi) + corner + std::int64_t(1) });
   }
 
   bool ShowsUndefined(const layout::Region& region) const
@@ -227,6 +230,10 @@ private:
       const std::uint32_t brick = this->Tree.brickLists[region.firstBrick + k];
       width = std::min(width, this->Subject.width(this->Subject.bricks[brick]));
       absent = absent || this->BrickHasAbsentCells[brick];
+    }
+    if (!this->Tree.finestCells.empty())
+    {
+      width = this->Tree.finestCells[static_cast<std::size_t>(&region - this->Tree.regions.data())];
     }
     const double cells =
       this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;

@@ -33,11 +33,13 @@ struct Block
 struct WholeHierarchy
 {
   std::vector<Block> blocks;       // all, wherever they are
+  bool completed = false;          // whether there are enough cells to complete levels
   std::vector<std::int64_t> reach; // [level]: how far around that box there are cells, finest cells
 
   bool operator==(const WholeHierarchy& other) const
   {
-    return this->blocks == other.blocks && this->reach == other.reach;
+    return this->blocks == other.blocks && this->completed == other.completed &&
+      this->reach == other.reach;
   }
 };
 

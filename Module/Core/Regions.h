@@ -17,6 +17,9 @@ struct RegionTree
   std::vector<layout::Region> regions; // in the order of the tree's leaves
   std::vector<std::uint32_t> brickLists;
   std::vector<layout::KdNode> nodes; // the root first
+  /// [region] of a part of a hierarchy: width of the finest cells that reach into it in the whole,
+  /// as lists lack bricks that are beyond the part's reach. Empty: lists tell.
+  std::vector<std::int64_t> finestCells;
 };
 
 /// How long a list of bricks may be for its node to become a region. A brick too many in a list

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Structure.h"
 
+#include <limits>
+
 namespace exabricks
 {
 namespace
@@ -10,6 +12,17 @@ namespace
 void keepBricksInReach(Structure& structure)
 {
   const Hierarchy& hierarchy = structure.hierarchy;
+  const std::vector<Brick> all = structure.bricks;
+  const auto finestOf = [&](const layout::Region& region)
+  {
+    std::int64_t finest = std::numeric_limits<std::int64_t>::max();
+    for (std::uint32_t k = 0; k < region.brickCount; ++k)
+    {
+      finest =
+        std::min(finest, structure.width(all[structure.tree.brickLists[region.firstBrick + k]]));
+    }
+    return finest;
+  };
   std::vector<std::uint32_t> number(structure.bricks.size(), 0); // from 1 on; 0: it is left out
   const Box shown = outwardToCells(*hierarchy.shown, 2);         // logical
   std::vector<Brick> kept;
@@ -34,6 +47,7 @@ void keepBricksInReach(Structure& structure)
   std::vector<std::uint32_t> lists;
   for (layout::Region& region : structure.tree.regions)
   {
+    structure.tree.finestCells.push_back(finestOf(region));
     const auto list = structure.tree.brickLists.begin() + region.firstBrick;
     const auto first = static_cast<std::uint32_t>(lists.size());
     for (auto brick = list; brick != list + region.brickCount; ++brick)

@@ -222,7 +222,7 @@ Values gatherValues(const Structure& structure, const CellSource& source, const 
       {
         const bool there = std::isfinite(value);
         const bool hidden = value == HiddenValue;
-        *to++ = there ? static_cast<float>(values.range.normalize(value))
+        *to++ = there ? static_cast<float>(std::clamp(values.range.normalize(value), 0.0, 1.0))
           : hidden    ? layout::ABSENT
                       : layout::UNDEFINED;
         absent += !there;

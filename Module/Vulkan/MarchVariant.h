@@ -36,7 +36,8 @@ inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
     variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
-    variant.cropped, variant.jittered, variant.showsUndefined, variant.isPart, variant.components, variant.mixing);
+    variant.cropped, variant.jittered, variant.showsUndefined, variant.isPart, variant.components,
+    variant.mixing);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

@@ -237,6 +237,18 @@ bool vtkExaBricksRepresentation::SelectArray(vtkOverlappingAMR* amr)
     return false;
   }
   this->ReportedNoArray = false;
+  if (onPoints && this->IsOneOfSeveral())
+  {
+    if (!this->ReportedPoints)
+    {
+      vtkWarningMacro("Several ranks draw arrays of cells alone, found '"
+        << name
+        << "' of points. Apply \"Point Data to Cell Data\"; until then the outline is drawn.");
+    }
+    this->ReportedPoints = true;
+    return false;
+  }
+  this->ReportedPoints = false;
   if (onPoints)
   {
     this->Mapper->SetScalarModeToUsePointFieldData();
@@ -481,7 +493,14 @@ void vtkExaBricksRepresentation::SetUseNanColor(bool use) { this->Mapper->SetUse
 
 void vtkExaBricksRepresentation::SetLevelRange(int first, int last)
 {
-  this->Mapper->SetLevelRange(first, last);
+  // Of several ranks each has what the levels leave it.
+  const bool several = this->IsOneOfSeveral();
+  this->Mapper->SetLevelRange(several ? 0 : first, several ? VTK_INT_MAX : last);
+  if (several)
+  {
+    this->Redistribute->SetLevelRange(first, last);
+    this->MarkModified();
+  }
 }
 
 void vtkExaBricksRepresentation::SetCropping(bool cropping) { this->Mapper->SetCropping(cropping); }

@@ -190,6 +190,7 @@ private:
   vtkSmartPointer<vtkPVTransferFunction2D> TransferFunction2D;
   bool ReportedSecondArray = false;
   bool ReportedNoArray = false;
+  bool ReportedPoints = false;
   vtkSmartPointer<vtkExaBricksStatistics> Statistics;
 };
 

@@ -6,7 +6,7 @@
  * Asks for the statistics after each picture: ParaView asks for values of information when a panel
  * is made. Hides properties of the panel that mean nothing to ExaBricks, and says so where one of
  * them is set. Keeps the opacity unit distance at about the length of a cell when more levels are
- * read, until somebody chooses another. Warns where several ranks render.
+ * read, until somebody chooses another. Warns of what several ranks draw otherwise than one.
  *
  * @sa
  * vtkExaBricksStatistics

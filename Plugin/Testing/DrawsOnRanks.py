@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of several ranks is that of one rank, with geometry in between and with each reconstruction; what is not
+"""The picture of several ranks is that of one rank, with geometry in between, basis and completed; what is not
 the same on several ranks is said.
 
 Started by Python, this draws on one rank first, and then on several, which compare.

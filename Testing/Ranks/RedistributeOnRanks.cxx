@@ -123,6 +123,16 @@ void checkMessages(test::Checks& checks, vtkMPIController* controller)
   stage.mapper->SetErrorTolerance(0.01);
   stage.window->Render();
   checks.Says(messages.TakeWarnings(), { "without ErrorTolerance" }, "a tolerance");
+  stage.mapper->SetErrorTolerance(0.0);
+  stage.mapper->SetReconstructionToCompleted();
+  stage.window->Render();
+  checks.Says(messages.TakeWarnings(), { "SetForCompleted" }, "too few cells to complete");
+  stage.mapper->SetReconstructionToBasis();
+  stage.mapper->SetLevelRange(0, 0);
+  stage.window->Render();
+  checks.Says(
+    messages.TakeErrors(), { "SetLevelRange() of the vtkExaBricksRedistribute" }, "levels");
+  stage.mapper->SetLevelRange(0, VTK_INT_MAX);
   stage.mapper->SetBlendModeToMaximumIntensity();
   stage.window->Render();
   checks.Says(messages.TakeWarnings(), { "of its own part" }, "a maximum");
@@ -161,6 +171,35 @@ void checkFaults(test::Checks& checks, vtkMPIController* controller)
   redistribute->SetInputData(odd);
   expect({ "process 1 of " + std::to_string(ranks), "spacing" }, "another spacing");
 
+  // A process may have no input at all; others that have arrays beside draw those that all have.
+  auto more = deal(rank, ranks);
+  test::forEachGrid(more,
+    [&](unsigned int, vtkUniformGrid* grid)
+    {
+      if (rank == 0)
+      {
+        vtkNew<vtkDoubleArray> beside;
+        beside->SetName("beside");
+        beside->SetNumberOfTuples(grid->GetNumberOfCells());
+        beside->Fill(1.0);
+        grid->GetCellData()->AddArray(beside);
+      }
+    });
+  redistribute->SetInputDataObject(rank == 1 ? nullptr : more.Get());
+  redistribute->Update();
+  checks.Silent(messages.TakeErrors(), "a process without an input");
+  vtkDataSet* const block = exabricks::getFirstBlock(outputOf(redistribute));
+  checks.Expect(
+    block && block->GetCellData()->HasArray("value") && !block->GetCellData()->HasArray("beside"),
+    "the array that all have");
+
+  // Coarse levels alone.
+  redistribute->SetInputData(deal(rank, ranks));
+  redistribute->SetLevelRange(0, 0);
+  redistribute->Update();
+  checks.Equal(redistribute->GetNumberOfLeafCells(), 16 * 512, "cells of level 0");
+  redistribute->SetLevelRange(0, VTK_INT_MAX);
+
   // Without any blocks there is nothing, and nothing to say.
   redistribute->SetInputData(test::makeNullBlocks({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }));
   redistribute->Update();
@@ -173,15 +212,14 @@ void checkFaults(test::Checks& checks, vtkMPIController* controller)
   checks.Silent(messages.TakeErrors(), "all is well again");
 
   // An AMR that is not shared out is drawn, and that is said.
+  test::KeepDisplay display;
   vtkMultiProcessController::SetGlobalController(controller);
-  vtkNew<vtkExaBricksBuilder> builder;
-  builder->SetInputData(deal(rank, ranks));
-  builder->Update();
+  test::Stage stage(deal(rank, ranks));
+  stage.Property()->GetScalarOpacity()->AddPoint(0.0, 0.5);
+  stage.Property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  stage.window->Render();
   checks.Says(
     messages.TakeWarnings(), { "vtkExaBricksRedistribute" }, "an AMR that is not shared out");
-  builder->SetInputConnection(redistribute->GetOutputPort());
-  builder->Update();
-  checks.Silent(messages.TakeWarnings(), "one that is");
   vtkMultiProcessController::SetGlobalController(nullptr);
 }
 }

@@ -168,4 +168,5 @@ INSTANTIATE_TEST_SUITE_P(All, SharesOut,
     Request{ "completed", Reconstruction::Completed, Blending::Composite, false, 1.0, 75.0 },
     Request{ "shaded", Reconstruction::Basis, Blending::Composite, true, 1.0, 60.0 },
     Request{ "surfaces", Reconstruction::Basis, Blending::Isosurface },
+    Request{ "surfaces of cells", Reconstruction::Nearest, Blending::Isosurface },
     Request{ "long steps", Reconstruction::Basis, Blending::Composite, false, 3.0, 45.0 }));
