@@ -10,7 +10,6 @@
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
-#include "vtkVolumeMapper.h"
 
 #include <string>
 
@@ -123,14 +122,6 @@ void vtkSMExaBricksRepresentationProxy::WarnOfRanks()
   {
     // Every rank would choose levels and steps of its own.
     warning += " ErrorTolerance is not used on several ranks; StepScale is.";
-  }
-  // ParaView puts the ranks' pictures one over the other, as absorption and surfaces do.
-  const int mode = vtkSMPropertyHelper(this, "BlendMode").GetAsInt();
-  if (mode >= vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND && mode <= vtkVolumeMapper::ADDITIVE_BLEND)
-  {
-    warning +=
-      " The blend modes maximum, minimum, average and additive are each rank's own, and the "
-      "nearest rank's picture hides those behind. Choose another one, or use one rank.";
   }
   if (!warning.empty() && warning != this->Internals->Ranks)
   {
