@@ -5,7 +5,10 @@
 #define ExaBricksAdaptersAMRCompatibility_h
 
 #include "vtkOverlappingAMR.h"
+#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
+
+#include <vector>
 
 #if __has_include("vtkOverlappingAMRMetaData.h")
 #define EXABRICKS_AMR_OF_VTK_9_6
@@ -22,6 +25,21 @@ inline unsigned int numberOfBlocks(vtkOverlappingAMR* amr, unsigned int level)
 #else
   return amr->GetNumberOfDataSets(level);
 #endif
+}
+
+/// Levels of so many blocks, none of which is there yet. `description`: of their grids, as VTK
+/// numbers it; 3-D if negative.
+inline void initialize(
+  vtkOverlappingAMR* amr, const std::vector<int>& blocksPerLevel, int description = -1)
+{
+#ifdef EXABRICKS_AMR_OF_VTK_9_6
+  amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
+  constexpr int threeD = vtkStructuredData::VTK_STRUCTURED_XYZ_GRID;
+#else
+  amr->Initialize(static_cast<int>(blocksPerLevel.size()), blocksPerLevel.data());
+  constexpr int threeD = VTK_XYZ_GRID;
+#endif
+  amr->SetGridDescription(description < 0 ? threeD : description);
 }
 
 /// The block, or null if it is not there.

@@ -298,7 +298,6 @@ private:
     }
     if (this->Part && this->Ok())
     {
-      this->Input.isPart = true;
       this->Input.hierarchy.shown = this->Part->box;
       this->Input.hierarchy.whole = this->FindWhole();
     }

@@ -28,7 +28,6 @@ struct AMRInput
   bool onPoints = false;     // see takePoints()
   std::string fault;         // empty, or why it cannot be drawn
   std::string unread;        // empty, or how much less than there is a reader has read
-  bool isPart = false;       // of a larger one
 };
 
 /// Levels of an AMR, from the one number to the other.

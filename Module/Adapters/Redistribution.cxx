@@ -11,7 +11,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
-#include "vtkStructuredData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +22,6 @@ namespace exabricks
 {
 namespace
 {
-void initialize(vtkOverlappingAMR* amr, const std::vector<int>& blocksPerLevel)
-{
-#ifdef EXABRICKS_AMR_OF_VTK_9_6
-  amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
-  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
-#else
-  amr->Initialize(static_cast<int>(blocksPerLevel.size()), blocksPerLevel.data());
-  amr->SetGridDescription(VTK_XYZ_GRID);
-#endif
-}
-
 // `ranges`: of the components, and of several their magnitude.
 void addRanges(vtkDataArray* array, ArrayRanges& ranges)
 {

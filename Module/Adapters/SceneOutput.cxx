@@ -15,7 +15,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStructuredData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
@@ -47,13 +46,7 @@ void initialize(const Hierarchy& hierarchy, vtkOverlappingAMR* amr)
   {
     ++blocksPerLevel[block.level];
   }
-#ifdef EXABRICKS_AMR_OF_VTK_9_6
-  amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
-  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
-#else
-  amr->Initialize(hierarchy.levels(), blocksPerLevel.data());
-  amr->SetGridDescription(VTK_XYZ_GRID);
-#endif
+  exabricks::initialize(amr, blocksPerLevel);
   amr->SetOrigin(&hierarchy.origin.x);
   for (int level = 0; level < hierarchy.levels(); ++level)
   {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Parts.h"
 
-#include <array>
 #include <cmath>
-#include <optional>
 
 namespace exabricks
 {

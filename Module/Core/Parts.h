@@ -25,7 +25,7 @@ struct Parts
                           // cell left for it
 
   /// The numbers of the parts that are not empty, those first that hide others. `eye`: a point in
-  /// logical coordinates, or with w = 0 the direction to where parallel rays come from.
+  /// half cells, or with w = 0 the direction to where parallel rays come from.
   std::vector<int> frontToBack(const glm::dvec4& eye) const;
 };
 

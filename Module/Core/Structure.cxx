@@ -12,14 +12,13 @@ namespace
 void keepBricksInReach(Structure& structure)
 {
   const Hierarchy& hierarchy = structure.hierarchy;
-  const std::vector<Brick> all = structure.bricks;
   const auto finestOf = [&](const layout::Region& region)
   {
     std::int64_t finest = std::numeric_limits<std::int64_t>::max();
     for (std::uint32_t k = 0; k < region.brickCount; ++k)
     {
-      finest =
-        std::min(finest, structure.width(all[structure.tree.brickLists[region.firstBrick + k]]));
+      const std::uint32_t brick = structure.tree.brickLists[region.firstBrick + k];
+      finest = std::min(finest, structure.width(structure.bricks[brick]));
     }
     return finest;
   };

@@ -11,7 +11,6 @@
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkSmartPointer.h"
-#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
 
 #include <array>
@@ -68,14 +67,7 @@ inline vtkSmartPointer<vtkOverlappingAMR> makeNullBlocks(
     ++blocksPerLevel[block.level];
   }
   auto amr = vtkSmartPointer<vtkOverlappingAMR>::New();
-#ifdef EXABRICKS_AMR_OF_VTK_9_6
-  amr->Initialize(std::vector<unsigned int>(blocksPerLevel.begin(), blocksPerLevel.end()));
-  constexpr int threeD = vtkStructuredData::VTK_STRUCTURED_XYZ_GRID;
-#else
-  amr->Initialize(static_cast<int>(blocksPerLevel.size()), blocksPerLevel.data());
-  constexpr int threeD = VTK_XYZ_GRID;
-#endif
-  amr->SetGridDescription(description < 0 ? threeD : description);
+  exabricks::initialize(amr, blocksPerLevel, description);
   amr->SetOrigin(lattice.origin.data());
   std::vector<unsigned int> next(blocksPerLevel.size(), 0);
   for (unsigned int level = 0; level < blocksPerLevel.size(); ++level)
@@ -172,18 +164,12 @@ inline vtkSmartPointer<vtkOverlappingAMR> keepBlocks(
   vtkOverlappingAMR* amr, const std::function<bool(unsigned int, unsigned int)>& keep)
 {
   auto kept = vtkSmartPointer<vtkOverlappingAMR>::New();
-  std::vector<unsigned int> count;
+  std::vector<int> count;
   for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
   {
-    count.push_back(exabricks::numberOfBlocks(amr, level));
+    count.push_back(static_cast<int>(exabricks::numberOfBlocks(amr, level)));
   }
-#ifdef EXABRICKS_AMR_OF_VTK_9_6
-  kept->Initialize(count);
-#else
-  const std::vector<int> blocksPerLevel(count.begin(), count.end());
-  kept->Initialize(static_cast<int>(count.size()), blocksPerLevel.data());
-#endif
-  kept->SetGridDescription(amr->GetGridDescription());
+  exabricks::initialize(kept, count, amr->GetGridDescription());
   kept->SetOrigin(amr->GetOrigin());
   unsigned int number = 0;
   for (unsigned int level = 0; level < count.size(); ++level)
@@ -191,7 +177,7 @@ inline vtkSmartPointer<vtkOverlappingAMR> keepBlocks(
     double spacing[3];
     amr->GetSpacing(level, spacing);
     kept->SetSpacing(level, spacing);
-    for (unsigned int i = 0; i < count[level]; ++i, ++number)
+    for (unsigned int i = 0; i < exabricks::numberOfBlocks(amr, level); ++i, ++number)
     {
       kept->SetAMRBox(level, i, amr->GetAMRBox(level, i));
       auto* grid = vtkUniformGrid::SafeDownCast(exabricks::getBlock(amr, level, i));
