@@ -319,7 +319,7 @@ void vtkExaBricksVolumeMapper::Render(vtkRenderer* ren, vtkVolume* vol)
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
   internals.Aborted = false;
-  const auto bricked = internals.GetBrickedVolume(); // an observer may have changed it
+  const auto bricked = internals.FindShown(vol->GetProperty()); // an observer may have changed it
   if (!bricked)
   {
     internals.Drawn.set(ren, false);
@@ -351,7 +351,7 @@ std::optional<exabricks::FirstSeen> vtkExaBricksVolumeMapper::FindFirstSeen(
     return std::nullopt;
   }
   this->Update();
-  const auto bricked = internals.GetBrickedVolume();
+  const auto bricked = internals.FindShown(vol->GetProperty());
   if (!bricked)
   {
     return std::nullopt;

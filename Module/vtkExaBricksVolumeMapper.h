@@ -19,8 +19,8 @@
  *
  * Of the volume property it honours colour (1 or 3 channels, smooth or discretised), scalar
  * opacity and its unit distance, a length in the data's own coordinates, before the volume's
- * matrix, the interpolation type, gradient opacity with the blend mode composite, shading by all
- * lights of the renderer with composite and iso-surface, and components (see VectorMode). Blend
+ * matrix, the interpolation type, gradient opacity and shading by all lights of the renderer, both
+ * with the blend modes composite, iso-surface and slice, and components (see VectorMode). Blend
  * modes: composite, maximum, minimum and average intensity, additive, iso-surface with up to 16
  * values, and slice with a vtkPlane, in world coordinates, as the property's slice function. It
  * says so when it is asked for what it does not do: an error where nothing is drawn, else a
@@ -287,8 +287,9 @@ public:
    * (vtkVolumeProperty::SetTransferFunction2D(), SetTransferFunctionMode()) goes over the
    * ranges of both arrays, or over gradients up to a quarter of the range over the mean width of a
    * finest cell. Between samples both variables go evenly, and up to 32 places of the function
-   * count. Drawn with blend mode composite; the property's gradient opacity does not count beside
-   * it, as in VTK's mapper.
+   * count. Greatest and least values, surfaces and slices have the function's color and opacity of
+   * both variables at their place, means and sums are of the first one. The property's gradient
+   * opacity does not count beside it, as in VTK's mapper.
    */
   vtkSetStringMacro(Transfer2DYAxisArray);
   vtkGetStringMacro(Transfer2DYAxisArray);
@@ -298,9 +299,9 @@ public:
   /**
    * Whether cells whose value is NaN or infinite show, each as it is, in the NanColor of the
    * property's color function, with its NanOpacity in a unit distance, and unlit. Off by default:
-   * they are left out. Hidden cells never show. Counts with blend mode composite, one component and
-   * colors of three channels, else a warning says that it does not. No level is left out then for
-   * an ErrorTolerance.
+   * they are left out. Hidden cells never show. Counts with blend modes composite and slice, one
+   * component and colors of three channels, else a warning says that it does not. No level is left
+   * out then for an ErrorTolerance.
    */
   vtkSetMacro(UseNanColor, bool);
   vtkGetMacro(UseNanColor, bool);

@@ -63,6 +63,29 @@ vtkExaBricksVolumeMapper::vtkInternals::GetBrickedVolume() const
   return this->ConfigurationFault.empty() && data ? data->GetBrickedVolume() : nullptr;
 }
 
+// Surfaces of independent components are those of one of them, which is drawn as if it were alone.
+std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksVolumeMapper::vtkInternals::FindShown(
+  vtkVolumeProperty* property)
+{
+  const auto bricked = this->GetBrickedVolume();
+  const auto component = bricked ? exabricks::findSurfaceComponent(this->Self, property, *bricked)
+                                 : std::optional<int>();
+  if (!component)
+  {
+    this->Surfaces = {};
+    return bricked;
+  }
+  if (this->Surfaces.of != bricked || this->Surfaces.alone->function != *component)
+  {
+    auto alone = std::make_shared<exabricks::BrickedVolume>(*bricked);
+    alone->volume.values = bricked->volume.valuesOf(static_cast<std::size_t>(*component));
+    alone->volume.furtherValues.clear();
+    alone->function = *component;
+    this->Surfaces = { bricked, std::move(alone) };
+  }
+  return this->Surfaces.alone;
+}
+
 // Checks what is asked for, updates the renderer and draws. Returns as Compositor::draw() does.
 std::optional<std::string> vtkExaBricksVolumeMapper::vtkInternals::Draw(
   vtkRenderer* ren, vtkVolume* vol, const std::shared_ptr<const exabricks::BrickedVolume>& bricked)
@@ -100,9 +123,9 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   const exabricks::MapperSettings settings{ this->Self->StepScale, this->Self->SampleDistance,
     this->Self->ErrorTolerance, { this->Self->FinalColorWindow, this->Self->FinalColorLevel } };
   if (this->Self->Transfer2DYAxisArray &&
-    (this->Self->OpacityArrayName || !exabricks::isPlanar(this->Self, property, bricked)))
+    (this->Self->OpacityArrayName || !exabricks::isPlanar(property, bricked)))
   {
-    return "expected a 2-D transfer function, blend mode composite and no OpacityArrayName for the "
+    return "expected a 2-D transfer function and no OpacityArrayName for the "
            "Transfer2DYAxisArray. Call SetTransferFunctionMode() of the volume property, or "
            "SetTransfer2DYAxisArray() without an array";
   }
@@ -114,8 +137,9 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   if (this->Self->UseNanColor && !this->UsesNanColor(property, bricked))
   {
     this->Report({ {},
-      { "UseNanColor counts with blend mode composite, one component and a color function of three "
-        "channels: cells without a value are left out." } });
+      { "UseNanColor counts with blend modes composite and slice, one component and a color "
+        "function "
+        "of three channels: cells without a value are left out." } });
   }
   if (bricked.volume.structure->hierarchy.whole)
   {
@@ -178,7 +202,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateRenderer(
   {
     this->UpdateVolume(bricked, completed);
   }
-  const bool planar = exabricks::isPlanar(this->Self, property, *bricked);
+  const bool planar = exabricks::isPlanar(property, *bricked);
   const exabricks::ColorsOf colors =
     this->FindReconstruction(property) == exabricks::Reconstruction::Nearest
     ? exabricks::ColorsOf::Categories
@@ -226,8 +250,8 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
-    const exabricks::TransferFunction transfer =
-      exabricks::makeTransferFunction(property, range, this->Colors);
+    const exabricks::TransferFunction transfer = exabricks::makeTransferFunction(property,
+      bricked.function, property->GetScalarOpacity(bricked.function), range, this->Colors);
     if (this->Self->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && !this->SaidTransparent)
     {
       const exabricks::Requests found = exabricks::checkTransparency(property, transfer, bricked);

@@ -32,6 +32,11 @@ struct vtkExaBricksVolumeMapper::vtkInternals
 
   // What the renderer was last given.
   std::shared_ptr<const exabricks::BrickedVolume> Bricked;
+  struct
+  {
+    std::shared_ptr<const exabricks::BrickedVolume> of;
+    std::shared_ptr<const exabricks::BrickedVolume> alone;
+  } Surfaces;             // of one of several components
   bool Completed = false; // whether its levels were completed
   bool Planar = false;    // whether it has the property's 2-D function
   exabricks::ColorsOf Colors = exabricks::ColorsOf::Values;
@@ -63,6 +68,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   // The steps of a picture, in their order.
   std::string ConfigureBuilder();
   std::shared_ptr<const exabricks::BrickedVolume> GetBrickedVolume() const;
+  std::shared_ptr<const exabricks::BrickedVolume> FindShown(vtkVolumeProperty* property);
   std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   std::string CheckData(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);

@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The medium of a function of two variables: of a component and its gradient, or of two components
-// (Core/TransferFunction2D.h).
-
-// Red, green, blue and opacity, bilinear between the middles of the table's pixels.
-vec4 lookUpPlanar(Colors table, ivec2 size, vec2 variables)
-{
-  const vec2 at = clamp(variables * vec2(size) - 0.5, vec2(0.0), vec2(size - 1));
-  const vec2 whole = floor(at);
-  const vec2 fraction = at - whole;
-  const uvec2 first = toIndex(whole.xyy).xy;
-  const uvec2 last = min(first + 1u, uvec2(size) - 1u);
-  const uint width = uint(size.x);
-  return mix(
-    mix(table.items[first.x + width * first.y], table.items[last.x + width * first.y], fraction.x),
-    mix(table.items[first.x + width * last.y], table.items[last.x + width * last.y], fraction.x),
-    fraction.y);
-}
+// What pieces of a ray show by a function of two variables (Planar.glsl).
 
 // Values go evenly from one place of the function's plane to another. A way in a plane has no table of
 // integrals: so many samples are taken that no pixel of the function is passed over, but for the
 // longest ways.
 const float MOST_PLANAR_SAMPLES = 32.0;
 
+float countPlanarSamples(vec2 from, vec2 to, ivec2 size)
+{
+  const vec2 way = abs(to - from) * vec2(size);
+  return clamp(ceil(max(way.x, way.y)), 1.0, MOST_PLANAR_SAMPLES);
+}
+
 vec4 absorbPlanar(Piece piece)
 {
   Colors table = Colors(constants.frame.planar);
   const ivec2 size = constants.frame.planarSize;
-  const vec2 way = abs(piece.to.xy - piece.from.xy) * vec2(size);
-  const float count = clamp(ceil(max(way.x, way.y)), 1.0, MOST_PLANAR_SAMPLES);
+  const float count = countPlanarSamples(piece.from.xy, piece.to.xy, size);
   vec4 gathered = vec4(0.0);
   for (float i = 0.5; i < count; ++i)
   {
@@ -40,4 +29,34 @@ vec4 absorbPlanar(Piece piece)
     gathered = shade(gathered, spotOfComponent(piece, 0u), 0u);
   }
   return gathered;
+}
+
+// The integral of the first variable times opacity, and the length on which it counts.
+void sumPlanar(Piece piece, inout Accumulator gathered)
+{
+  const vec2 range =
+    vec2(constants.frame.leastToAverage.x, constants.frame.mostToAverage.x);
+  const float counted = fractionThatCounts(piece.from.x, piece.to.x, range);
+  if (!(counted > 0.0))
+  {
+    return;
+  }
+  // Where what counts begins, on the way from the one place to the other.
+  const float rise = piece.to.x - piece.from.x;
+  const float first = counted < 1.0
+    ? clamp(((rise > 0.0 ? range.x : range.y) - piece.from.x) / rise, 0.0, 1.0 - counted)
+    : 0.0;
+  const vec2 from = mix(piece.from.xy, piece.to.xy, first);
+  const vec2 to = mix(piece.from.xy, piece.to.xy, first + counted);
+  Colors table = Colors(constants.frame.planar);
+  const ivec2 size = constants.frame.planarSize;
+  const float count = countPlanarSamples(from, to, size);
+  float sum = 0.0;
+  for (float i = 0.5; i < count; ++i)
+  {
+    const vec2 at = mix(from, to, i / count);
+    sum += at.x * lookUpPlanar(table, size, at).a;
+  }
+  gathered.sums[0] += counted * piece.units / count * sum;
+  gathered.counts[0] += counted * piece.units;
 }

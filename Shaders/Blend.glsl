@@ -37,7 +37,7 @@ bool isComplete(Accumulator gathered)
 // Whether nothing of a node of the k-d tree, or of a box, can change what was gathered.
 bool isPassed(uint index, Accumulator gathered)
 {
-  if (!isExtremum || componentCount > 1u)
+  if (!isExtremum || componentCount > 1u || mixing == MIXING_PLANAR)
   {
     return false;
   }
@@ -111,7 +111,7 @@ void addSamples(float first, float middle, float last, inout Accumulator gathere
 // Premultiplied red, green, blue, opacity.
 vec4 toPixel(Accumulator gathered)
 {
-  return isExtremum || isSlice    ? colorOfExtremum(gathered)
-    : isComposite || isIsosurface ? gathered.color
-                                  : colorOfSum(gathered);
+  return isExtremum                          ? colorOfExtremum(gathered)
+    : isComposite || isIsosurface || isSlice ? gathered.color
+                                             : colorOfSum(gathered);
 }

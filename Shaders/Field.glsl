@@ -4,11 +4,11 @@
 
 // The ray's point at `distance` has to lie in a cell that is there: then its own tent alone weighs 1/8
 // at least. `others`: place of the rest of the list, 0: there is none.
-float sampleField(Brick brick, uint others, Ray ray, float distance)
+float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint component)
 {
   if (!isCompleted && others == 0u && (brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
   {
-    return interpolateBrick(brick, toCells(brick, ray, distance), 0u);
+    return interpolateBrick(brick, toCells(brick, ray, distance), component);
   }
   float sum = 0.0;
   float weight = 0.0;
@@ -17,11 +17,11 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
     const vec3 q = toCells(brick, ray, distance);
     if (isCompleted)
     {
-      addCompleted(brick, q, 0u, sum, weight);
+      addCompleted(brick, q, component, sum, weight);
     }
     else
     {
-      addBasis(brick, q, 0u, sum, weight);
+      addBasis(brick, q, component, sum, weight);
     }
     if (others == 0u)
     {
@@ -30,4 +30,10 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
     brick = nextBrick(others);
   }
   return clamp(sum / weight, 0.0, 1.0); // which rounding may pass
+}
+
+// Of the first component, which most volumes have alone.
+float sampleField(Brick brick, uint others, Ray ray, float distance)
+{
+  return sampleComponent(brick, others, ray, distance, 0u);
 }

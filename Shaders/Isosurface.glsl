@@ -33,16 +33,59 @@ float findCrossing(
   return from - before * (to - from) / (behind - before);
 }
 
-void addSurface(float isoValue, Cursor cursor, Ray ray, float at, inout Accumulator gathered)
+#ifdef FAMILY_SURFACE
+// The second component where a surface of the first one is: of cells that of the one behind it.
+float secondValueAt(Cursor cursor, Ray ray, float at)
+{
+  if (!isNearest)
+  {
+    return sampleComponent(cursor.brick, cursor.others, ray, at, 1u);
+  }
+  Brick holder;
+  uvec3 cell;
+  float end = cursor.exit;
+  findHolder(cursor.brick, cursor.others, ray, at, end, holder, cell);
+  return valueAt(holder, cellsOf(holder), cell, 1u);
+}
+
+// Colour, times opacity, and opacity of a surface, by the second variable too where there is one.
+vec4 colorOfSurface(float isoValue, vec3 gradient, Cursor cursor, Ray ray, float at)
+{
+  const float second = componentCount > 1u ? secondValueAt(cursor, ray, at)
+    : mapsGradient                        ? shareOfGradient(gradient)
+                                          : 0.0;
+  if (mixing == MIXING_PLANAR)
+  {
+    return colorOfPlanar(vec2(isoValue, second));
+  }
+  const TransferPart part = findPart(isoValue);
+  const vec4 color = mix(part.lower, part.upper, part.fraction);
+  if (mixing != MIXING_COLOR_AND_OPACITY)
+  {
+    return color;
+  }
+  selectFunction(1u);
+  const TransferPart opacity = findPart(second);
+  selectFunction(0u);
+  return color / color.a * mix(opacity.lower.a, opacity.upper.a, opacity.fraction);
+}
+#else
+vec4 colorOfSurface(float isoValue, vec3 gradient, Cursor cursor, Ray ray, float at)
 {
   const TransferPart part = findPart(isoValue);
+  return mix(part.lower, part.upper, part.fraction);
+}
+#endif
+
+void addSurface(float isoValue, Cursor cursor, Ray ray, float at, inout Accumulator gathered)
+{
   vec3 gradient = vec3(0.0);
-  if (isShaded)
+  if (isShaded || hasGradientOpacity || mapsGradient)
   {
     gradient = sampleFieldJet(cursor.brick, cursor.others, ray, at).xyz;
   }
-  addBehind(mix(part.lower, part.upper, part.fraction), spotAt(ray, cursor.brick, at, gradient),
-    gathered);
+  addFlat(colorOfSurface(isoValue, gradient, cursor, ray, at),
+    spotAt(ray, cursor.brick, at, gradient), gathered);
 }
 
 // The surfaces that the ray passes from one distance and value to another. Where the values are those

@@ -30,6 +30,9 @@
 
 // What it looks like.
 #include "TransferFunction.glsl"
+#if defined(FAMILY_COMPONENTS) || defined(FAMILY_SURFACE)
+#include "Planar.glsl"
+#endif
 #include "Absorption.glsl"
 #include "Lighting.glsl"
 #include "Blend.glsl"
@@ -45,7 +48,7 @@
 #include "AbsorbPlanar.glsl"
 #include "ProjectComponents.glsl"
 #include "MarchComponents.glsl"
-#elif defined(FAMILY_PROJECTION)
+#elif defined(FAMILY_SURFACE)
 #include "Slice.glsl"
 #endif
 #include "MarchOn.glsl"

@@ -28,6 +28,10 @@ void addComponents(Piece piece, inout Accumulator gathered)
       mixing == MIXING_PLANAR ? absorbPlanar(piece) : absorbComponents(piece);
     gathered.color += (1.0 - gathered.color.a) * color;
   }
+  else if (mixing == MIXING_PLANAR)
+  {
+    sumPlanar(piece, gathered);
+  }
   else
   {
     sumComponents(piece, gathered);
@@ -118,12 +122,14 @@ void marchComponentsOfSlice(Ray ray, inout Cursor cursor, inout Accumulator gath
   vec4 values = componentsOfCell(ray, cursor, end);
   if (values.x >= 0.0)
   {
-    if (!isNearest)
+    mat4x3 gradients = mat4x3(0.0);
+    if (!isNearest || needsGradient)
     {
-      mat4x3 gradients;
-      values = sampleComponents(cursor, ray, cursor.entry, gradients);
+      const vec4 sampled = sampleComponents(cursor, ray, cursor.entry, gradients);
+      values = !isNearest ? sampled : mapsGradient ? vec4(values.x, sampled.yzw) : values;
     }
-    gathered.values = values;
+    gathered.color = colorOfComponents(
+      Piece(values, values, 0.0, gradients, spotAt(ray, cursor.brick, cursor.entry, vec3(0.0))));
     gathered.value = 0.0; // it is complete
   }
   cursor.entry = cursor.exit;

@@ -5,7 +5,7 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 #if defined(FAMILY_COMPONENTS)
   marchComponents(ray, cursor, gathered);
 #else
-#if defined(FAMILY_PROJECTION)
+#if defined(FAMILY_SURFACE)
   if (isSlice)
   {
     marchSlice(ray, cursor, gathered);

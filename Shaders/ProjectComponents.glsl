@@ -2,14 +2,17 @@
 // Several components where blending is not by absorption: extremes, sums and slices. The tables hold
 // opacity.
 
-// The greatest or least value of each independent component; of dependent ones all values where the
-// last one, which has opacity, is greatest or least.
+// Whose greatest or least value counts, of components that are not independent: the one that has
+// opacity, and of a function of two variables the first one.
+const uint leadingComponent = mixing == MIXING_PLANAR ? 0u : componentCount - 1u;
+
+// The greatest or least value of each independent component; of others all values where that of the
+// leading one is.
 void widenComponentsTo(vec4 values, inout Accumulator gathered)
 {
-  const vec4 compared =
-    mixing == MIXING_INDEPENDENT ? values : vec4(values[componentCount - 1u]);
+  const vec4 compared = mixing == MIXING_INDEPENDENT ? values : vec4(values[leadingComponent]);
   const vec4 before =
-    mixing == MIXING_INDEPENDENT ? gathered.values : vec4(gathered.values[componentCount - 1u]);
+    mixing == MIXING_INDEPENDENT ? gathered.values : vec4(gathered.values[leadingComponent]);
   const bvec4 wider = blending == BLENDING_MAXIMUM ? greaterThan(compared, before)
                                                    : lessThan(compared, before);
   gathered.values = mix(gathered.values, values, wider);
@@ -20,7 +23,8 @@ void widenComponentsToVertices(vec4 first, vec4 middle, vec4 last, inout Accumul
 {
   const vec4 bend = 2.0 * (first - 2.0 * middle + last);
   const vec4 slope = last - first - bend;
-  for (uint k = mixing == MIXING_INDEPENDENT ? 0u : componentCount - 1u; k < componentCount; ++k)
+  const uint end = mixing == MIXING_INDEPENDENT ? componentCount : leadingComponent + 1u;
+  for (uint k = mixing == MIXING_INDEPENDENT ? 0u : leadingComponent; k < end; ++k)
   {
     const float where = -0.5 * slope[k] / bend[k]; // where nothing bends, it is nowhere
     if (where > 0.0 && where < 1.0)
@@ -63,19 +67,29 @@ void sumComponents(Piece piece, inout Accumulator gathered)
   }
 }
 
-// Premultiplied colour and opacity of values: of independent components the weighted sum.
-vec4 lookUpComponents(vec4 values)
+// Premultiplied colour and opacity of a piece of no length: of independent components the weighted
+// sum. Extremes are neither shaded nor less opaque by gradients.
+vec4 colorOfComponents(Piece piece)
 {
+  if (mixing == MIXING_PLANAR)
+  {
+    const vec4 color = colorOfPlanar(piece.to.xy);
+    return isShaded && color.a > 0.0 ? shade(color, spotOfComponent(piece, 0u), 0u) : color;
+  }
+  const vec4 colors = mixing == MIXING_INDEPENDENT
+    ? vec4(1.0)
+    : vec4(meanColorOfComponents(piece.to, piece.to), 1.0);
   vec4 sum = vec4(0.0);
   for (uint i = 0u; i < opacityCount; ++i)
   {
+    const uint component = componentOfOpacity(i);
+    const Spot spot = spotOfComponent(piece, component);
     selectFunction(functionOfOpacity(i));
-    const TransferPart part = findPart(values[componentOfOpacity(i)]);
-    sum += constants.frame.componentWeights[i] * mix(part.lower, part.upper, part.fraction);
-  }
-  if (mixing != MIXING_INDEPENDENT)
-  {
-    sum *= vec4(meanColorOfComponents(values, values), 1.0);
+    const TransferPart part = findPart(piece.to[component]);
+    vec4 color = colors * mix(part.lower, part.upper, part.fraction);
+    color *= hasGradientOpacity ? opacityOfGradient(spot, i) : 1.0;
+    color = isShaded && color.a > 0.0 ? shade(color, spot, i) : color;
+    sum += constants.frame.componentWeights[i] * color;
   }
   return clamp(sum, 0.0, 1.0);
 }
@@ -83,15 +97,18 @@ vec4 lookUpComponents(vec4 values)
 // Premultiplied red, green, blue, opacity.
 vec4 toPixelOfComponents(Accumulator gathered)
 {
-  if (isComposite)
+  if (isComposite || isSlice)
   {
     return gathered.color;
   }
-  if (isExtremum || isSlice)
+  if (isExtremum)
   {
     // as at the start: the ray has met no values
     const bool met = gathered.values.x >= 0.0 && gathered.values.x <= 1.0;
-    return met ? lookUpComponents(gathered.values) : vec4(0.0);
+    const Spot nowhere = Spot(vec3(0.0), 1.0, vec3(0.0), vec3(0.0));
+    return met
+      ? colorOfComponents(Piece(gathered.values, gathered.values, 0.0, mat4x3(0.0), nowhere))
+      : vec4(0.0);
   }
   float sum = 0.0;
   bool any = false;

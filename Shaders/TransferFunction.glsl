@@ -15,7 +15,7 @@ struct TransferPart
 };
 
 // Of several functions, which one is looked up.
-#ifdef FAMILY_COMPONENTS
+#if defined(FAMILY_COMPONENTS) || defined(FAMILY_SURFACE)
 uint firstBin = 0u;
 void selectFunction(uint number)
 {

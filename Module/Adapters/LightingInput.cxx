@@ -85,14 +85,17 @@ Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
 std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked)
 {
   vtkVolumeProperty* property = vol->GetProperty();
-  if (!isShaded(property, isIndependent(property, bricked) ? bricked.volume.components() : 1))
+  const bool shaded = bricked.volume.components() > 1 && isIndependent(property, bricked)
+    ? isShaded(property, bricked.volume.components())
+    : property->GetShade(bricked.function) != 0;
+  if (!shaded)
   {
     return std::nullopt;
   }
   Lighting lighting;
   for (std::size_t k = 0; k < lighting.materials.size(); ++k)
   {
-    const int component = static_cast<int>(k);
+    const int component = std::min(bricked.function + static_cast<int>(k), VTK_MAX_VRCOMP - 1);
     lighting.materials[k] = { property->GetAmbient(component), property->GetDiffuse(component),
       property->GetSpecular(component), property->GetSpecularPower(component) };
   }
@@ -117,7 +120,7 @@ std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Bricke
   std::vector<bool> has(functions);
   for (std::size_t k = 0; k < functions; ++k)
   {
-    has[k] = hasGradientOpacity(property, static_cast<int>(k));
+    has[k] = hasGradientOpacity(property, bricked.function + static_cast<int>(k));
   }
   if (std::find(has.begin(), has.end(), true) == has.end())
   {
@@ -127,7 +130,7 @@ std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Bricke
   for (std::size_t k = 0; k < functions; ++k)
   {
     vtkPiecewiseFunction* function =
-      has[k] ? property->GetGradientOpacity(static_cast<int>(k)) : nullptr;
+      has[k] ? property->GetGradientOpacity(bricked.function + static_cast<int>(k)) : nullptr;
     const Range& range = volume.valuesOf(independent ? k : components - 1)->range;
     const double width = range.max > range.min ? range.max - range.min : 1.0;
     for (std::uint32_t i = 0; i < layout::GRADIENT_OPACITIES; ++i)

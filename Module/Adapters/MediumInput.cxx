@@ -69,10 +69,9 @@ TransferFunction2D makePlanar(vtkImageData* from)
 }
 }
 
-bool isPlanar(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked)
+bool isPlanar(vtkVolumeProperty* property, const BrickedVolume& bricked)
 {
   return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D &&
-    mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
     (bricked.volume.components() == 1 || bricked.joined);
 }
 
@@ -83,28 +82,28 @@ Requests checkMedium(
   const int components = static_cast<int>(bricked.volume.components());
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
-    if (isPlanar(mapper, property, bricked))
+    if (isPlanar(property, bricked))
     {
       requests.refused = checkPlanar(property);
       return requests;
     }
     requests.drawnWithout.push_back(
-      "2-D transfer functions count with blend mode composite, and of one component or two arrays "
-      "(SetTransfer2DYAxisArray()): the volume is drawn with the 1-D functions.");
+      "2-D transfer functions are of one component, or of two arrays (SetTransfer2DYAxisArray()): "
+      "the volume is drawn with the 1-D functions.");
   }
   if (components == 1)
   {
     return requests;
   }
-  if (mapper->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND)
+  const bool independent = isIndependent(property, bricked);
+  if (mapper->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND && components == 4)
   {
-    requests.refused = "expected one value of each cell for blend mode iso-surface, found " +
-      std::to_string(components) + " components" +
-      (bricked.joined ? " of two arrays. Set none but the first one"
-                      : ". Choose one, or the magnitude, by the mapper's VectorMode");
+    requests.refused =
+      "expected components that have values for blend mode iso-surface, found red, green, blue and "
+      "opacity. Choose one, or the magnitude, by the mapper's VectorMode, or call "
+      "IndependentComponentsOn() of the volume property";
     return requests;
   }
-  const bool independent = isIndependent(property, bricked);
   if (!independent && components == 3)
   {
     requests.refused = "expected 2 or 4 dependent components, found 3. Call "
@@ -115,13 +114,30 @@ Requests checkMedium(
   requests.refused = checkUnits(property, independent ? components : 1);
   for (int k = 1; k < (independent ? components : 1); ++k)
   {
-    if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND &&
-      hasGradientOpacity(property, k))
+    if (!countsGradientOpacity(mapper) && hasGradientOpacity(property, k))
     {
       requests.drawnWithout.push_back(describeGradientOpacityElsewhere());
     }
   }
   return requests;
+}
+
+std::optional<int> findSurfaceComponent(
+  vtkVolumeMapper* mapper, vtkVolumeProperty* property, const BrickedVolume& bricked)
+{
+  const int components = static_cast<int>(bricked.volume.components());
+  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND || components == 1 ||
+    isPlanar(property, bricked) || !isIndependent(property, bricked))
+  {
+    return std::nullopt;
+  }
+  int heaviest = 0;
+  for (int k = 1; k < components; ++k)
+  {
+    heaviest =
+      property->GetComponentWeight(k) > property->GetComponentWeight(heaviest) ? k : heaviest;
+  }
+  return heaviest;
 }
 
 Medium makeMedium(

@@ -75,9 +75,17 @@ bool hasCategories(vtkVolumeProperty* property, int component)
     property->GetRGBTransferFunction(component)->GetIndexedLookup();
 }
 
+bool countsGradientOpacity(vtkVolumeMapper* mapper)
+{
+  const int mode = mapper->GetBlendMode();
+  return mode == vtkVolumeMapper::COMPOSITE_BLEND || mode == vtkVolumeMapper::ISOSURFACE_BLEND ||
+    mode == vtkVolumeMapper::SLICE_BLEND;
+}
+
 std::string describeGradientOpacityElsewhere()
 {
-  return "Gradient opacity counts with blend mode composite alone: the volume is drawn without it.";
+  return "Gradient opacity counts with blend modes composite, iso-surface and slice: the volume is "
+         "drawn without it.";
 }
 
 std::vector<std::string> checkCategories(
@@ -143,7 +151,7 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     without("Nothing is drawn, as there is no iso-value for blend mode iso-surface: call "
             "GetIsoSurfaceValues()->SetValue() of the volume property.");
   }
-  if (mode != vtkVolumeMapper::COMPOSITE_BLEND && hasGradientOpacity(property))
+  if (!countsGradientOpacity(mapper) && hasGradientOpacity(property))
   {
     without(describeGradientOpacityElsewhere());
   }
@@ -248,8 +256,9 @@ AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume)
 
 bool canUseNanColor(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components)
 {
-  return mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && components == 1 &&
-    property->GetColorChannels() == 3 &&
+  const int mode = mapper->GetBlendMode();
+  return (mode == vtkVolumeMapper::COMPOSITE_BLEND || mode == vtkVolumeMapper::SLICE_BLEND) &&
+    components == 1 && property->GetColorChannels() == 3 &&
     property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D;
 }
 

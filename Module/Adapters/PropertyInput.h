@@ -44,7 +44,8 @@ bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 /// Warns of colours of categories where values between those of cells are drawn.
 std::vector<std::string> checkCategories(
   vtkVolumeProperty* property, int components, Reconstruction reconstruction);
-/// The warning of gradient opacity in other blend modes than composite.
+/// Whether gradient opacity counts with the mapper's blend mode, and the warning that it does not.
+bool countsGradientOpacity(vtkVolumeMapper* mapper);
 std::string describeGradientOpacityElsewhere();
 
 /// Checks what can be told without data.

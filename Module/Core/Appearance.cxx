@@ -43,7 +43,9 @@ bool Appearance::setView(const View& view)
   const bool ofCells = view.blending == Blending::Isosurface
     ? view.quality.reconstruction == Reconstruction::Nearest
     : this->SurfacesOfCells;
-  const bool undefined = view.blending == Blending::Composite && view.undefinedColor;
+  const bool undefined =
+    (view.blending == Blending::Composite || view.blending == Blending::Slice) &&
+    view.undefinedColor;
   if (undefined == this->Undefined && view.blending == this->Blended && ranges == this->Averaged &&
     isoValues == this->IsoValues && ofCells == this->SurfacesOfCells)
   {
@@ -90,29 +92,28 @@ std::vector<TransferTable> Appearance::makeTables() const
 
 Visibility Appearance::findVisibility() const
 {
+  // Where values are those of cells, a surface lies at a face between two of them, of which
+  // either may be in a region that does not reach the surface's value: all regions count.
+  const Blending blending = this->Blended == Blending::Isosurface && this->SurfacesOfCells
+    ? Blending::Maximum
+    : this->Blended;
+  const auto find = [&](const TransferFunction& function, std::size_t component)
+  {
+    return exabricks::findVisibility(
+      function, blending, this->Averaged[component], this->IsoValues);
+  };
   if (!this->isMixed())
   {
-    // Where values are those of cells, a surface lies at a face between two of them, of which
-    // either may be in a region that does not reach the surface's value: all regions count.
-    const Blending blending = this->Blended == Blending::Isosurface && this->SurfacesOfCells
-      ? Blending::Maximum
-      : this->Blended;
-    return { exabricks::findVisibility(
-      this->Transfer, blending, this->Averaged[0], this->IsoValues) };
+    return { find(this->Transfer, 0) };
   }
   Visibility shown(this->Components);
   if (!this->checkMedium().empty())
   {
     return shown;
   }
-  const auto find = [&](const TransferFunction& function, std::size_t component)
-  {
-    return exabricks::findVisibility(
-      function, this->Blended, this->Averaged[component], this->IsoValues);
-  };
   if (this->Mixed.mixing == Mixing::Planar)
   {
-    shown[0] = this->Mixed.planar.envelope();
+    shown[0] = find(this->Mixed.planar.envelope(), 0);
     return shown;
   }
   if (this->Mixed.mixing == Mixing::Independent)
@@ -126,8 +127,10 @@ Visibility Appearance::findVisibility() const
     }
     return shown;
   }
-  // The last component has opacity; of an average the values of the first one count.
-  const std::size_t component = this->Blended == Blending::Average ? 0 : this->Components - 1;
+  // The last component has opacity; of an average, and of surfaces, the values of the first one
+  // count.
+  const bool byFirst = this->Blended == Blending::Average || this->Blended == Blending::Isosurface;
+  const std::size_t component = byFirst ? 0 : this->Components - 1;
   shown[component] = find(this->Mixed.functions.back(), component);
   return shown;
 }

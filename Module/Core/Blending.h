@@ -19,7 +19,8 @@ enum class Blending
   Minimum,    // and of the least
   Average,    // grey: the mean of o(v) v over the length on which v lies in a range; opaque
   Additive,   // grey: the integral of o(v) v over length in unit distances; opaque
-  Isosurface, // surfaces of some values, of their colour and opacity
+  Isosurface, // surfaces of some values, of their colour and opacity; of several components of
+              // those of the first one
   Slice       // a plane, of the colour and opacity of the values there
 };
 

@@ -6,21 +6,21 @@
 #include "MarchKdTreeCompositeInt64Spirv.h"
 #include "MarchKdTreeCompositeSpirv.h"
 #include "MarchKdTreeInt64Spirv.h"
-#include "MarchKdTreeIsosurfaceInt64Spirv.h"
-#include "MarchKdTreeIsosurfaceSpirv.h"
 #include "MarchKdTreeProjectionInt64Spirv.h"
 #include "MarchKdTreeProjectionSpirv.h"
 #include "MarchKdTreeSpirv.h"
+#include "MarchKdTreeSurfaceInt64Spirv.h"
+#include "MarchKdTreeSurfaceSpirv.h"
 #include "MarchRayQueryComponentsInt64Spirv.h"
 #include "MarchRayQueryComponentsSpirv.h"
 #include "MarchRayQueryCompositeInt64Spirv.h"
 #include "MarchRayQueryCompositeSpirv.h"
 #include "MarchRayQueryInt64Spirv.h"
-#include "MarchRayQueryIsosurfaceInt64Spirv.h"
-#include "MarchRayQueryIsosurfaceSpirv.h"
 #include "MarchRayQueryProjectionInt64Spirv.h"
 #include "MarchRayQueryProjectionSpirv.h"
 #include "MarchRayQuerySpirv.h"
+#include "MarchRayQuerySurfaceInt64Spirv.h"
+#include "MarchRayQuerySurfaceSpirv.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -61,12 +61,13 @@ const Family components{ MarchKdTreeComponentsSpirv, MarchKdTreeComponentsInt64S
   MarchRayQueryComponentsSpirv, MarchRayQueryComponentsInt64Spirv };
 const Family projection{ MarchKdTreeProjectionSpirv, MarchKdTreeProjectionInt64Spirv,
   MarchRayQueryProjectionSpirv, MarchRayQueryProjectionInt64Spirv };
-const Family isosurface{ MarchKdTreeIsosurfaceSpirv, MarchKdTreeIsosurfaceInt64Spirv,
-  MarchRayQueryIsosurfaceSpirv, MarchRayQueryIsosurfaceInt64Spirv };
+const Family surface{ MarchKdTreeSurfaceSpirv, MarchKdTreeSurfaceInt64Spirv,
+  MarchRayQuerySurfaceSpirv, MarchRayQuerySurfaceInt64Spirv };
 
 const Family& familyOf(const MarchVariant& variant)
 {
-  if (variant.components > 1 || variant.mixing == Mixing::Planar)
+  const bool isMixed = variant.components > 1 || variant.mixing == Mixing::Planar;
+  if (isMixed && variant.blending != Blending::Isosurface)
   {
     return components;
   }
@@ -78,7 +79,8 @@ const Family& familyOf(const MarchVariant& variant)
         ? composite
         : plain;
     case Blending::Isosurface:
-      return isosurface;
+    case Blending::Slice:
+      return surface;
     default:
       return projection;
   }

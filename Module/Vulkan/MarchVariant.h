@@ -28,7 +28,7 @@ struct MarchVariant
   bool jittered = false;           // for views whose samples are
   bool showsUndefined = false;     // for views with an undefinedColor
   bool isPart = false;             // for volumes of which a part is drawn
-  std::uint32_t components = 1;    // of each cell; several are blended by Composite, unshaded
+  std::uint32_t components = 1;    // of each cell
   Mixing mixing = Mixing::Independent;
 };
 

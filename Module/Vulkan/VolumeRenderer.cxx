@@ -166,10 +166,11 @@ struct VolumeRenderer::Internals
     variant.reconstruction = view.quality.reconstruction;
     variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
-    const bool byAbsorption = view.blending == Blending::Composite;
-    variant.shaded =
-      (byAbsorption || view.blending == Blending::Isosurface) && view.lighting.has_value();
-    variant.hasGradientOpacity = byAbsorption && !this->GradientOpacity.empty();
+    // Of values that are extremes or sums no place along the ray has a gradient.
+    const bool ofPlaces = view.blending == Blending::Composite ||
+      view.blending == Blending::Isosurface || view.blending == Blending::Slice;
+    variant.shaded = ofPlaces && view.lighting.has_value();
+    variant.hasGradientOpacity = ofPlaces && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
     variant.jittered =
@@ -326,13 +327,10 @@ struct VolumeRenderer::Internals
     {
       return unfit;
     }
-    if (view.blending == Blending::Isosurface)
-    {
-      return "several components have no iso-surfaces";
-    }
-    return view.blending != Blending::Composite &&
-        this->Appearance.medium().mixing == Mixing::Planar
-      ? "functions of two variables are drawn by absorption alone"
+    const Mixing mixing = this->Appearance.medium().mixing;
+    return view.blending == Blending::Isosurface && mixing != Mixing::Planar &&
+        mixing != Mixing::ColorAndOpacity
+      ? "independent components, and red, green and blue, have no iso-surfaces together"
       : "";
   }
 

@@ -8,6 +8,7 @@
 #include "Stage.h"
 
 #include "vtkContourValues.h"
+#include "vtkPlane.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <limits>
@@ -129,7 +130,13 @@ int TestComponents(int, char*[])
   two.mapper->SetErrorTolerance(0.002);
   two.Shows({ 0.5 * mix(shown, 0.0)[0], 0.0, 0.0 }, lit, "within a tolerance");
   two.mapper->SetErrorTolerance(0.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 0.7);
+  two.Property()->SetSliceFunction(plane);
+  two.mapper->SetBlendModeToSlice();
+  two.Shows({ 0.2, 0.0, 0.0 }, { 0.1, 0.0, 0.4 }, "a slice, shaded");
   two.Property()->ShadeOff();
+  two.Shows({ 0.4, 0.0, 0.0 }, { 0.2, 0.0, 0.4 }, "a slice");
   two.mapper->SetBlendModeToMaximumIntensity();
   two.Shows({ 0.4, 0.0, 0.0 }, { 0.2, 0.0, 0.4 }, "maximum");
   two.mapper->SetBlendModeToAdditive();
@@ -167,13 +174,46 @@ int TestComponents(int, char*[])
   setFunctions(holed.Property(), 0, { 1.0, 0.0, 0.0 });
   setFunctions(holed.Property(), 1, { 0.0, 0.0, 1.0 });
   holed.Shows({ 0.0, 0.0, 0.0 }, mix(shown, extinction(0.2)), "NaN in one component");
+
+  // Surfaces of independent components are those of the one of the greatest weight, lit by its
+  // material.
+  auto slopes = test::makeAMR(test::cornerRefined(), test::constant(0.0));
+  const test::Field depth = [](double, double, double z) { return 0.1 * z; };
+  const test::Field across = [](double, double y, double) { return 0.1 * y; };
+  test::forEachGrid(slopes,
+    [&](unsigned int, vtkUniformGrid* grid) {
+      test::addCells(grid, std::vector<test::Field>{ depth, across, depth });
+    });
+  Scene surfaces(checks, slopes);
+  test::lookAlongZ(surfaces.renderer, 4.0, 4.0, 4.0, 8.0);
+  surfaces.mapper->SetReconstructionToBasis();
+  surfaces.mapper->SetBlendModeToIsoSurface();
+  setFunctions(surfaces.Property(), 0, { 1.0, 0.0, 0.0 });
+  setFunctions(surfaces.Property(), 1, { 0.0, 1.0, 0.0 });
+  setFunctions(surfaces.Property(), 2, { 0.0, 0.0, 1.0 });
+  surfaces.Property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  surfaces.Shows({ 0.2, 0.0, 0.0 }, { 0.2, 0.0, 0.0 }, "surfaces of the first component");
+  surfaces.Property()->SetComponentWeight(0, 0.4);
+  surfaces.Property()->SetComponentWeight(1, 0.6);
+  surfaces.Property()->SetComponentWeight(2, 0.7);
+  surfaces.Shows({ 0.0, 0.0, 0.2 }, { 0.0, 0.0, 0.2 }, "surfaces of the heaviest component");
+  surfaces.Property()->SetShade(2, true);
+  surfaces.Property()->SetAmbient(2, 0.5);
+  surfaces.Property()->SetDiffuse(2, 0.0);
+  surfaces.Property()->SetSpecular(2, 0.0);
+  surfaces.Shows({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 0.1 }, "lit surfaces of the heaviest component");
+  surfaces.Property()->SetShade(2, false);
+  surfaces.mapper->SetBlendModeToComposite();
+  surfaces.Property()->SetComponentWeight(0, 0.0);
+  surfaces.Property()->SetComponentWeight(2, 0.0);
+  checks.Expect(test::Picture(surfaces.window).At(10, 10)[1] > 0.2, "all components again");
   checks.Silent(messages.TakeErrors() + messages.TakeWarnings(), "nothing to say");
 
   // What is not done is said.
-  two.mapper->SetBlendModeToIsoSurface();
-  two.Property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
-  test::Picture(two.window);
-  checks.Says(messages.TakeErrors(), { "iso-surface", "2 components" }, "iso-surfaces");
+  rgba.mapper->SetBlendModeToIsoSurface();
+  rgba.Property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  test::Picture(rgba.window);
+  checks.Says(messages.TakeErrors(), { "iso-surface", "red, green, blue" }, "iso-surfaces");
   Scene three(checks, makeHalves({ 1.0, 0.0, 0.0 }, { 0.5, 1.0, 0.0 }));
   three.Property()->IndependentComponentsOff();
   test::Picture(three.window);

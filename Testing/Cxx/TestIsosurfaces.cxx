@@ -67,6 +67,11 @@ int TestIsosurfaces(int, char*[])
   property->SetSpecular(0.0);
   shows(0.0, 0.4 * 0.7, "lit");
   property->ShadeOff();
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.0, 0.5);
+  property->SetGradientOpacity(byGradient);
+  shows(0.0, 0.5 * 0.4, "less opaque by its gradient");
+  property->SetGradientOpacity(nullptr);
 
   // A blue sheet a little before the surface, and behind it.
   vtkNew<vtkPlaneSource> plane;

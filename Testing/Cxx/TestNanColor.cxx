@@ -105,6 +105,23 @@ int TestNanColor(int, char*[])
   scene.Shows(3.3, 2.0, "clipped");
   mapper->RemoveAllClippingPlanes();
 
+  // In a slice each place has the opacity of its cell, whatever the unit distance.
+  vtkNew<vtkPlane> slice;
+  stage.Property()->SetSliceFunction(slice);
+  stage.Property()->SetScalarOpacityUnitDistance(4.0);
+  mapper->SetBlendModeToSlice();
+  slice->SetOrigin(0.0, 0.0, 3.0);
+  for (const int reconstruction : { mapper->BASIS, mapper->NEAREST, mapper->COMPLETED })
+  {
+    mapper->SetReconstruction(reconstruction);
+    scene.Shows(1.0, 0.0, "a slice without values");
+  }
+  slice->SetOrigin(0.0, 0.0, 1.3);
+  scene.Shows(0.0, 1.0, "a slice with values");
+  mapper->SetBlendModeToComposite();
+  mapper->SetReconstructionToBasis();
+  stage.Property()->SetScalarOpacityUnitDistance(1.0);
+
   // They are seen first, and have no value to tell.
   vtkNew<vtkExaBricksPicker> picker;
   checks.Expect(picker->Pick(70.0, 25.0, 0.0, stage.renderer) != 0, "picked");
@@ -146,6 +163,7 @@ int TestNanColor(int, char*[])
   mapper->SetInputData(amr);
   mapper->SetBlendModeToMaximumIntensity();
   test::Picture(stage.window);
-  checks.Says(messages.TakeWarnings(), { "UseNanColor", "composite" }, "another blend mode");
+  checks.Says(
+    messages.TakeWarnings(), { "UseNanColor", "composite and slice" }, "another blend mode");
   return checks.Status();
 }

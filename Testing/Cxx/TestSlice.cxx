@@ -68,6 +68,25 @@ int TestSlice(int, char*[])
   };
   expects(test::Picture(stage.window), 0.0, "a slice");
 
+  // Lit by the gradient, and less opaque by it; the field has the same one everywhere.
+  const test::Picture flat(stage.window);
+  stage.Property()->ShadeOn();
+  stage.Property()->SetAmbient(0.3);
+  stage.Property()->SetDiffuse(0.5);
+  stage.Property()->SetSpecular(0.0);
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.0, 0.8);
+  stage.Property()->SetGradientOpacity(byGradient);
+  const test::Picture lit(stage.window);
+  stage.Property()->SetGradientOpacity(nullptr);
+  stage.Property()->ShadeOff();
+  for (int place = 12; place < Size - 12; place += 7)
+  {
+    const double towardsLight = 0.07 / std::hypot(0.05, 0.02, 0.07);
+    checks.Near(lit.At(place, 30)[1], (0.3 + 0.5 * towardsLight) * 0.8 * flat.At(place, 30)[1],
+      test::OneStep, "lit");
+  }
+
   // The plane lies in the world, and the volume moves under it.
   vtkNew<vtkTransform> transform;
   transform->Translate(0.0, 0.0, 1.0);

@@ -6,6 +6,8 @@
 
 #include "Parity.h"
 
+#include "vtkContourValues.h"
+
 namespace
 {
 // Another ball, where the first one does not show.
@@ -49,6 +51,29 @@ int ComponentsLikeVTK(int, char*[])
   mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToComposite(); });
   setFunctions(property, 0, { 0.9, 0.2, 0.1 });
   setFunctions(property, 1, { 0.1, 0.3, 1.0 });
+
+  // Of iso-surfaces the component of the greatest weight has them.
+  constexpr double Value = 4.2;
+  mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToIsoSurface(); });
+  property->GetIsoSurfaceValues()->SetValue(0, Value);
+  property->SetComponentWeight(0, 0.3);
+  property->SetComponentWeight(1, 0.9);
+  const test::Picture surface = mappers.Draw(mappers.mapper);
+  // VTK's mapper takes the value for one of the first component's range, whichever it draws.
+  double ranges[2][2];
+  for (int component = 0; component < 2; ++component)
+  {
+    mappers.onGPU->GetInput()->GetPointData()->GetScalars()->GetRange(ranges[component], component);
+  }
+  const double part = (Value - ranges[1][0]) / (ranges[1][1] - ranges[1][0]);
+  property->GetIsoSurfaceValues()->SetValue(0, ranges[0][0] + part * (ranges[0][1] - ranges[0][0]));
+  checks.Expect(surface.Coverage() > 0.02, "the surface shows");
+  const double decibel = surface.Decibel(mappers.Draw(mappers.onGPU));
+  std::cout << "iso-surface of the heavier of two independent components: " << decibel << " dB\n";
+  checks.Expect(decibel >= 35.0, "iso-surface, " + std::to_string(decibel) + " dB");
+  property->SetComponentWeight(0, 1.0);
+  property->SetComponentWeight(1, 1.0);
+  mappers.ForEach([](vtkVolumeMapper* mapper) { mapper->SetBlendModeToComposite(); });
 
   // Diffuse light alone, as the fixed-point mapper leaves ambient out.
   property->ShadeOn();

@@ -39,7 +39,7 @@ public:
     const auto samples = static_cast<std::size_t>(std::ceil(length / this->Settings.step));
     const double units =
       ray.worldLength / static_cast<double>(samples) / this->Settings.opacityUnitDistance;
-    std::vector<double> values(this->Components.size());
+    std::vector<double> values;
     std::vector<double> extreme;
     std::vector<double> sums(this->Functions, 0.0);
     std::vector<double> counts(this->Functions, 0.0);
@@ -85,21 +85,35 @@ private:
                                              : this->Components.size() - 1;
   }
 
+  // Of a function of one component and its gradient the second value is the gradient's share.
   bool Sample(const glm::dvec3& place, std::vector<double>& values) const
   {
-    bool there = true;
-    for (std::size_t k = 0; k < values.size(); ++k)
+    values.clear();
+    for (const FieldFunction& component : this->Components)
     {
-      const std::optional<double> value = this->Components[k](place);
-      there = there && value;
-      values[k] = value.value_or(0.0);
+      const std::optional<double> value = component(place);
+      if (!value)
+      {
+        return false;
+      }
+      values.push_back(*value);
     }
-    return there;
+    if (this->Looks.mixing == Mixing::Planar && values.size() == 1)
+    {
+      const glm::dvec3 gradient = findGradient(this->Components[0], this->Bounds, place);
+      values.push_back(
+        std::min(this->Space.magnitudeOf(gradient) / layout::GREATEST_GRADIENT, 1.0));
+    }
+    return true;
   }
 
   // Red, green and blue, and opacity, by a function of opacity.
   glm::dvec4 LookUp(const std::vector<double>& values, std::size_t function) const
   {
+    if (this->Looks.mixing == Mixing::Planar)
+    {
+      return this->Looks.planar.evaluate(values[0], values[1]);
+    }
     if (this->Looks.mixing == Mixing::ColorAndOpacity)
     {
       return glm::dvec4(glm::dvec3(this->Looks.functions[0].evaluate(values[0])),
@@ -115,18 +129,6 @@ private:
     return color;
   }
 
-  // By two components, or by one and its gradient.
-  glm::dvec4 LookUpPlanar(const std::vector<double>& values, const glm::dvec3& place) const
-  {
-    double second = values.back();
-    if (values.size() == 1)
-    {
-      const glm::dvec3 gradient = findGradient(this->Components[0], this->Bounds, place);
-      second = std::min(this->Space.magnitudeOf(gradient) / layout::GREATEST_GRADIENT, 1.0);
-    }
-    return this->Looks.planar.evaluate(values[0], second);
-  }
-
   double WeightOf(std::size_t function) const
   {
     return this->Independent ? this->Looks.weights[static_cast<int>(function)] : 1.0;
@@ -138,9 +140,7 @@ private:
     glm::dvec4 sum(0.0);
     for (std::size_t i = 0; i < this->Functions; ++i)
     {
-      const glm::dvec4 color = this->Looks.mixing == Mixing::Planar
-        ? this->LookUpPlanar(values, place)
-        : this->LookUp(values, i);
+      const glm::dvec4 color = this->LookUp(values, i);
       double extinction = this->WeightOf(i) * extinctionOf(color.a);
       if (!(extinction > 0.0))
       {
@@ -182,7 +182,7 @@ private:
     };
     if (!this->Independent)
     {
-      extreme = wider(values.size() - 1) ? values : extreme;
+      extreme = wider(this->ComponentOf(0)) ? values : extreme;
       return;
     }
     for (std::size_t k = 0; k < values.size(); ++k)
