@@ -129,7 +129,7 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksBuilder::vtkInternal
         << levels[0] << " to " << levels[1] << ". Call SetLevelRange().");
     return nullptr;
   }
-  if (exabricks::findPart(amr) && !exabricks::getFirstBlock(amr))
+  if (exabricks::isPart(amr) && !exabricks::getFirstBlock(amr))
   {
     return nullptr; // there were not enough cells for all processes
   }

@@ -211,12 +211,9 @@ void vtkExaBricksData::GetBounds(double bounds[6])
   vtkMath::UninitializeBounds(bounds);
   if (this->Bricked)
   {
-    const exabricks::Structure& structure = *this->Bricked->volume.structure;
-    const exabricks::Int3 corner = structure.tree.bounds.lo * std::int64_t(2);
-    const exabricks::Box shown = structure.hierarchy.shown.value_or(
-      exabricks::Box{ corner, corner + exabricks::Int3(structure.tree.size) });
-    const glm::dvec3 lo = this->Bricked->world(glm::dvec3(shown.lo - corner));
-    const glm::dvec3 hi = this->Bricked->world(glm::dvec3(shown.hi - corner));
+    const exabricks::Box shown = this->Bricked->volume.structure->shown();
+    const glm::dvec3 lo = this->Bricked->world(glm::dvec3(shown.lo));
+    const glm::dvec3 hi = this->Bricked->world(glm::dvec3(shown.hi));
     for (int axis = 0; axis < 3; ++axis)
     {
       bounds[2 * axis] = lo[axis];

@@ -156,16 +156,14 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
     {
       ofPart.drawnWithout.emplace_back(
         "One of several processes draws the greatest, least or mean value, or the sum, of its own "
-        "part: "
-        "pictures put one over the other are not that of one process.");
+        "part: pictures put one over the other are not that of one process.");
     }
     if (!bricked.volume.structure->hierarchy.whole->completed &&
       this->FindReconstruction(property) == exabricks::Reconstruction::Completed)
     {
       ofPart.drawnWithout.emplace_back(
         "One of several processes lacks cells to complete levels with, so that its part ends in a "
-        "seam. "
-        "Call SetForCompleted(true) of the vtkExaBricksRedistribute.");
+        "seam. Call SetForCompleted(true) of the vtkExaBricksRedistribute.");
     }
     this->Report(ofPart);
   }

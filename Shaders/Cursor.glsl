@@ -2,9 +2,6 @@
 // Where a ray is: the region that it is in, and how far it has come there. What it has gathered is
 // kept apart, by the way of blending.
 
-// Cells of a level are there for a part as far beyond it, in steps.
-const float PART_REACH = 2.0;
-
 struct Cursor
 {
   Brick brick; // the first of the region's: most regions have one alone
@@ -111,7 +108,7 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
   // Intervals of a part reach beyond it, where there are cells for them: as far as two of those of
   // the step go. Others end at its faces; crossings of surfaces are found one by one.
   const bool keepsIntervals = isPart && !isNearest && !isSlice && step > 0.0 && !jittered &&
-    2.0 * stepScale * growth <= PART_REACH;
+    2.0 * stepScale * growth <= float(PART_REACH);
   bool isEmpty = false;
   if (isPart && isSlice)
   {

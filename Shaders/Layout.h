@@ -80,6 +80,9 @@ struct Brick
 EXABRICKS_CONST uint BRICK_WORDS = 4u;
 EXABRICKS_CONST uint BRICK_HAS_ABSENT_CELLS = 1u << 24;
 
+// Cells of a level are there for one of several processes as far beyond its part, in cells.
+EXABRICKS_CONST int PART_REACH = 2;
+
 // Stands for the value of a cell that is absent (hidden). Values lie in [0, 1].
 EXABRICKS_CONST float ABSENT = -1.0f;
 // The same of one whose value is undefined (NaN, infinite), which may have a colour.

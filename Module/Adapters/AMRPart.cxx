@@ -14,6 +14,23 @@ namespace
 constexpr const char* partName = "ExaBricksPart"; // its box, whether for completing, then the reach
 constexpr const char* wholeName = "ExaBricksWhole"; // level and box of each block
 constexpr const char* rangesName = "ExaBricksRanges of ";
+
+struct PartArrays
+{
+  vtkIdTypeArray* numbers;
+  vtkIdTypeArray* blocks;
+
+  explicit PartArrays(vtkOverlappingAMR* amr)
+    : numbers(vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(partName)))
+    , blocks(vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(wholeName)))
+  {
+  }
+  bool areWhole() const
+  {
+    return this->numbers && this->numbers->GetNumberOfValues() >= 8 && this->blocks &&
+      this->blocks->GetNumberOfComponents() == 7;
+  }
+};
 }
 
 void markPart(vtkOverlappingAMR* amr, const AMRPart& part)
@@ -50,15 +67,17 @@ void markPart(vtkOverlappingAMR* amr, const AMRPart& part)
   amr->GetFieldData()->AddArray(blocks);
 }
 
+bool isPart(vtkOverlappingAMR* amr) { return PartArrays(amr).areWhole(); }
+
 std::optional<AMRPart> findPart(vtkOverlappingAMR* amr)
 {
-  auto* numbers = vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(partName));
-  auto* blocks = vtkIdTypeArray::SafeDownCast(amr->GetFieldData()->GetArray(wholeName));
-  if (!numbers || numbers->GetNumberOfValues() < 8 || !blocks ||
-    blocks->GetNumberOfComponents() != 7)
+  const PartArrays arrays(amr);
+  if (!arrays.areWhole())
   {
     return std::nullopt;
   }
+  vtkIdTypeArray* numbers = arrays.numbers;
+  vtkIdTypeArray* blocks = arrays.blocks;
   const auto boxAt = [](const vtkIdType* at) {
     return Box{ { at[0], at[1], at[2] }, { at[3], at[4], at[5] } };
   };

@@ -24,6 +24,7 @@ struct AMRPart
   std::shared_ptr<const WholeHierarchy> whole; // with the AMR's numbers of levels
 };
 void markPart(vtkOverlappingAMR* amr, const AMRPart& part);
+bool isPart(vtkOverlappingAMR* amr);
 /// None: the AMR is no part.
 std::optional<AMRPart> findPart(vtkOverlappingAMR* amr);
 

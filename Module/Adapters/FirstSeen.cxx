@@ -182,6 +182,14 @@ void tightenDepths(View& view, const glm::dvec3& size, std::vector<float>& depth
 }
 }
 
+PlaceInPicture middleOfPixel(const View& view, std::size_t i)
+{
+  const auto width = static_cast<std::size_t>(view.target.width);
+  const glm::dvec2 pixel(static_cast<double>(i % width), static_cast<double>(i / width));
+  return { view.target.width, view.target.height,
+    (2.0 * pixel + 1.0) / glm::dvec2(view.target.width, view.target.height) - 1.0 };
+}
+
 std::optional<LineOfSight> findLine(
   const View& view, const PlaceInPicture& place, const glm::dvec3& size)
 {
@@ -254,10 +262,7 @@ std::vector<std::optional<FirstSeen>> findFirstSeen(
   {
     if (pixels[i].seen)
     {
-      const auto x = static_cast<double>(i % static_cast<std::size_t>(view.target.width));
-      const auto y = static_cast<double>(i / static_cast<std::size_t>(view.target.width));
-      const glm::dvec2 ndc(
-        (2.0 * x + 1.0) / view.target.width - 1.0, (2.0 * y + 1.0) / view.target.height - 1.0);
+      const glm::dvec2 ndc = middleOfPixel(view, i).ndc;
       const auto at = [&](double depth)
       {
         const glm::dvec4 place =

@@ -19,6 +19,9 @@ struct PlaceInPicture
   double depth = 1.0; // of the window, in [0, 1]
 };
 
+/// The middle of pixel `i` of a view's picture, [height][width].
+PlaceInPicture middleOfPixel(const View& view, std::size_t i);
+
 /// The part of a place's line of sight that is in the bounds, half cells.
 struct LineOfSight
 {

@@ -57,11 +57,7 @@ std::string ImageOutput::draw(
   };
   for (std::size_t i = 0; i < seen.size(); ++i)
   {
-    const auto width = static_cast<std::size_t>(this->Width);
-    const glm::dvec2 pixel(static_cast<double>(i % width), static_cast<double>(i / width));
-    const PlaceInPicture place{ this->Width, this->Height,
-      (2.0 * pixel + 1.0) / glm::dvec2(this->Width, this->Height) - 1.0 };
-    if (const std::optional<LineOfSight> line = findLine(view, place, size))
+    if (const std::optional<LineOfSight> line = findLine(view, middleOfPixel(view, i), size))
     {
       this->BackDepths[i] = depthOf(line->to);
     }

@@ -2,7 +2,6 @@
 #include "Adapters/SharedStructure.h"
 
 #include "Adapters/AMRCompatibility.h"
-#include "Core/BoxIndex.h"
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
@@ -263,10 +262,11 @@ void SharedStructure::FindPieces(bool completed)
   }
   this->Sent.clear();
   this->Received.clear();
+  const std::vector<BoxIndex> own = this->FindNeeded(this->Group.rank);
   for (int rank = 0; rank < this->Group.count; ++rank)
   {
-    this->Sent.push_back(this->ListPieces(rank, this->Group.rank));
-    this->Received.push_back(this->ListPieces(this->Group.rank, rank));
+    this->Sent.push_back(this->ListPieces(rank, this->FindNeeded(rank), this->Group.rank));
+    this->Received.push_back(this->ListPieces(this->Group.rank, own, rank));
   }
   const Box& part = this->Shared.boxes[static_cast<std::size_t>(this->Group.rank)];
   double cells = 0.0;
@@ -284,10 +284,32 @@ void SharedStructure::FindPieces(bool completed)
   this->CellsToDraw = static_cast<std::uint64_t>(cells);
 }
 
+std::vector<BoxIndex> SharedStructure::FindNeeded(int rank) const
+{
+  const Box& part = this->Shared.boxes[static_cast<std::size_t>(rank)];
+  const std::vector<std::int64_t>& reach = this->Reach[static_cast<std::size_t>(rank)];
+  std::vector<std::vector<Box>> ofLevel(this->Whole.cellWidth.size());
+  for (const LeafBox& leaf : this->Leaves.boxes)
+  {
+    const auto level = static_cast<std::size_t>(leaf.level);
+    if (!part.empty() && this->Leaves.partlyCoveredBoxes == 0 &&
+      leaf.box.intersects(cellsInReach(part, reach[level])))
+    {
+      ofLevel[level].push_back(leaf.box);
+    }
+  }
+  std::vector<BoxIndex> needed;
+  for (std::vector<Box>& boxes : ofLevel)
+  {
+    needed.emplace_back(std::move(boxes));
+  }
+  return needed;
+}
+
 // In the order of the blocks, so that both processes list the same. Of blocks that coarser cells
-// are covered by in part whole cells go, as which of them count is found anew; else leaf cells
-// alone.
-std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int fromRank) const
+// are covered by in part whole cells go, else leaf cells alone.
+std::vector<SharedStructure::Piece> SharedStructure::ListPieces(
+  int toRank, const std::vector<BoxIndex>& needed, int fromRank) const
 {
   std::vector<Piece> pieces;
   const Box& part = this->Shared.boxes[static_cast<std::size_t>(toRank)];
@@ -296,26 +318,7 @@ std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int 
     return pieces;
   }
   const bool whole = this->Leaves.partlyCoveredBoxes > 0;
-  std::vector<std::vector<Box>> leavesOfLevel(this->Whole.cellWidth.size());
   const std::vector<std::int64_t>& reach = this->Reach[static_cast<std::size_t>(toRank)];
-  const auto needed = [&](int level)
-  {
-    const std::int64_t by = reach[static_cast<std::size_t>(level)];
-    const Box cells = outwardToCells(part, 2);
-    return Box{ cells.lo - by, cells.hi + by };
-  };
-  for (const LeafBox& leaf : this->Leaves.boxes)
-  {
-    if (!whole && leaf.box.intersects(needed(leaf.level)))
-    {
-      leavesOfLevel[static_cast<std::size_t>(leaf.level)].push_back(leaf.box);
-    }
-  }
-  std::vector<BoxIndex> leaves;
-  for (std::vector<Box>& boxes : leavesOfLevel)
-  {
-    leaves.emplace_back(std::move(boxes));
-  }
   std::vector<int> within;
   for (std::size_t b = 0; b < this->Owners.size(); ++b)
   {
@@ -325,7 +328,8 @@ std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int 
     }
     const int level = this->Whole.blocks[b].level;
     const std::int64_t width = this->Whole.cellWidth[static_cast<std::size_t>(level)];
-    const Box wanted = intersection(this->Whole.logicalBox(this->Whole.blocks[b]), needed(level));
+    const Box wanted = intersection(this->Whole.logicalBox(this->Whole.blocks[b]),
+      cellsInReach(part, reach[static_cast<std::size_t>(level)]));
     if (wanted.empty())
     {
       continue;
@@ -337,7 +341,7 @@ std::vector<SharedStructure::Piece> SharedStructure::ListPieces(int toRank, int 
       continue;
     }
     within.clear();
-    const BoxIndex& index = leaves[static_cast<std::size_t>(level)];
+    const BoxIndex& index = needed[static_cast<std::size_t>(level)];
     index.forEachIntersecting(wanted, [&](int leaf) { within.push_back(leaf); });
     std::sort(within.begin(), within.end());
     for (const int leaf : within)

@@ -7,6 +7,7 @@
 #include "Adapters/AMRInput.h"
 #include "Adapters/AMRPart.h"
 #include "Adapters/Processes.h"
+#include "Core/BoxIndex.h"
 #include "Core/Parts.h"
 
 namespace exabricks
@@ -70,7 +71,11 @@ private:
   void TakeBlocks(const std::vector<vtkIdType>& all, const std::vector<vtkIdType>& lengths,
     std::size_t numbersOfBlock);
   void FindPieces(bool completed);
-  std::vector<Piece> ListPieces(int toRank, int fromRank) const;
+  // The leaf cells that a process's part needs, by level; of partly covered ones none, as which of
+  // them count is found anew by the process.
+  std::vector<BoxIndex> FindNeeded(int rank) const;
+  std::vector<Piece> ListPieces(
+    int toRank, const std::vector<BoxIndex>& needed, int fromRank) const;
 
   Processes Group;
   std::vector<std::int64_t> Key; // all boxes; empty: nothing was found

@@ -98,12 +98,9 @@ private:
   // Of a part of a hierarchy there are regions around what is shown.
   bool IsInPart(const layout::Region& region) const
   {
-    const std::optional<Box>& shown = this->Subject.hierarchy.shown;
-    const Int3 corner = this->Tree.bounds.lo * std::int64_t(2);
     // Also one that ends at its face: the cell before a surface may be in it.
-    return !shown ||
-      shown->intersects(
-        { Int3(region.lo) + corner - std::int64_t(1), Int3(region.hi) + corner + std::int64_t(1) });
+    return this->Subject.shown().intersects(
+      { Int3(region.lo) - std::int64_t(1), Int3(region.hi) + std::int64_t(1) });
   }
 
   bool ShowsUndefined(const layout::Region& region) const

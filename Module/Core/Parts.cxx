@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Parts.h"
 
+#include "Layout.h"
+
 #include <cmath>
 
 namespace exabricks
 {
 namespace
 {
-// Two samples at most are beyond a part, an interval of cells apart (Shaders/Cursor.glsl).
-constexpr std::int64_t StepsBeyond = 2;
+// Samples beyond a part lie no farther, as steps are of cells at most.
+constexpr std::int64_t StepsBeyond = layout::PART_REACH;
 // Of the coarsest level nearby: the cell that is extended, its neighbours by which its slope is
 // found, and a cell of the level that is completed.
 constexpr std::int64_t CellsToComplete = 3;

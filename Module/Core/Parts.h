@@ -36,6 +36,13 @@ struct Parts
 Parts cutIntoParts(const LeafBoxes& leaves, const std::vector<Brick>& bricks,
   const std::vector<std::int64_t>& cellWidth, int numberOfParts);
 
+/// The cells, logical, of a level within its reach of a part, which is in half cells.
+inline Box cellsInReach(const Box& part, std::int64_t reach)
+{
+  const Box cells = outwardToCells(part, 2);
+  return { cells.lo - reach, cells.hi + reach };
+}
+
 /// How far around a part, a box in half cells, cells of each level [level] count for what is seen
 /// in it, in finest cells. For a reconstruction between a level's own cells that is one of them; to
 /// complete levels, three of the coarsest ones nearby, as values are extrapolated from their

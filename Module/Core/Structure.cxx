@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Structure.h"
 
+#include "Core/Parts.h"
+
 #include <limits>
 
 namespace exabricks
@@ -23,7 +25,6 @@ void keepBricksInReach(Structure& structure)
     return finest;
   };
   std::vector<std::uint32_t> number(structure.bricks.size(), 0); // from 1 on; 0: it is left out
-  const Box shown = outwardToCells(*hierarchy.shown, 2);         // logical
   std::vector<Brick> kept;
   structure.leafCells = 0;
   for (std::size_t b = 0; b < number.size(); ++b)
@@ -31,7 +32,7 @@ void keepBricksInReach(Structure& structure)
     Brick brick = structure.bricks[b];
     const std::int64_t width = structure.width(brick);
     const std::int64_t reach = hierarchy.whole->reach[static_cast<std::size_t>(brick.level)];
-    const Box near = intersection(structure.box(brick), Box{ shown.lo - reach, shown.hi + reach });
+    const Box near = intersection(structure.box(brick), cellsInReach(*hierarchy.shown, reach));
     if (near.empty())
     {
       continue;

@@ -20,6 +20,14 @@ struct Structure
   std::int64_t width(const Brick& brick) const { return this->hierarchy.cellWidth[brick.level]; }
   /// Logical.
   Box box(const Brick& brick) const { return brick.box(this->width(brick)); }
+  /// What is shown, in half cells from the lower corner of the bounds.
+  Box shown() const
+  {
+    const Int3 corner = this->tree.bounds.lo * std::int64_t(2);
+    const std::optional<Box>& part = this->hierarchy.shown;
+    return part ? Box{ part->lo - corner, part->hi - corner }
+                : Box{ Int3(0), Int3(this->tree.size) };
+  }
   /// Of bricks, regions, lists and tree.
   std::uint64_t bytes() const
   {

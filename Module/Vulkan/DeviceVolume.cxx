@@ -10,15 +10,9 @@ namespace vulkan
 DeviceVolume::DeviceVolume(std::shared_ptr<Device> device, const Volume& volume)
   : Owner(std::move(device))
   , Size(volume.structure->tree.size)
-  , PartLower(0)
-  , PartUpper(volume.structure->tree.size)
+  , PartLower(volume.structure->shown().lo)
+  , PartUpper(volume.structure->shown().hi)
 {
-  if (const std::optional<Box>& shown = volume.structure->hierarchy.shown)
-  {
-    const Int3 corner = volume.structure->tree.bounds.lo * std::int64_t(2);
-    this->PartLower = glm::ivec3(shown->lo - corner);
-    this->PartUpper = glm::ivec3(shown->hi - corner);
-  }
   this->UploadLists(volume.structure->tree);
   this->MakeValueBuffers(volume);
   this->setValues(volume);

@@ -136,19 +136,28 @@ TEST(Regions, ListAllBricksThatReachIntoThemInAscendingOrder)
   }
 }
 
+namespace
+{
+// Of the bounds, in half cells.
+Box somePart(const Built& built)
+{
+  const Box all = scaled(built.leaves.bounds, 2);
+  const Int3 size = all.size();
+  return { all.lo + size / std::int64_t(3), all.hi - size / std::int64_t(4) };
+}
+}
+
 TEST(Regions, OfAShownPartAreThoseOfAllCutAtItsFaces)
 {
   for (std::uint32_t seed = 0; seed < RandomScenes; ++seed)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Box all = scaled(built.leaves.bounds, 2);
-    const Int3 size = all.size();
-    const Box shown{ all.lo + size / std::int64_t(3), all.hi - size / std::int64_t(4) };
+    const Box shown = somePart(built);
     const RegionTree tree =
       buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, {}, shown);
     ASSERT_EQ(tree.bounds, built.tree().bounds);
-    const Int3 corner = all.lo;
+    const Int3 corner = built.leaves.bounds.lo * std::int64_t(2);
     const Box part{ shown.lo - corner, shown.hi - corner };
     std::vector<int> visits(tree.regions.size(), 0);
     visitLeaves(tree, 0, { Int3(0), Int3(tree.size) }, visits);
@@ -187,9 +196,8 @@ TEST(Regions, OfAPartThatAreLeftWholeAreThoseOfAll)
   {
     SCOPED_TRACE(seed);
     const Built built = buildRandom(seed);
-    const Box all = scaled(built.leaves.bounds, 2);
-    const Int3 size = all.size();
-    const Box shown{ all.lo + size / std::int64_t(3), all.hi - size / std::int64_t(4) };
+    const Box shown = somePart(built);
+    const Int3 corner = built.leaves.bounds.lo * std::int64_t(2);
     const RegionTree whole = buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth());
     const RegionTree tree =
       buildRegions(built.bricks(), built.leaves.bounds, built.cellWidth(), {}, {}, shown, true);
@@ -199,7 +207,7 @@ TEST(Regions, OfAPartThatAreLeftWholeAreThoseOfAll)
       std::vector<std::vector<std::int64_t>> lists;
       for (const layout::Region& region : of.regions)
       {
-        const Box box{ Int3(region.lo) + all.lo, Int3(region.hi) + all.lo };
+        const Box box{ Int3(region.lo) + corner, Int3(region.hi) + corner };
         if (region.brickCount > 0 && box.intersects(shown))
         {
           lists.push_back(

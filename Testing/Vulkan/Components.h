@@ -194,11 +194,8 @@ protected:
       {
         settings.gradientOpacity.emplace_back(
           [=](double gradient) { return gradientOpacity(i, gradient); });
-        for (std::uint32_t k = 0; k < layout::GRADIENT_OPACITIES; ++k)
-        {
-          tables.push_back(static_cast<float>(gradientOpacity(
-            i, layout::GREATEST_GRADIENT * k / (layout::GRADIENT_OPACITIES - 1.0))));
-        }
+        const std::vector<float> table = tabulateGradients(settings.gradientOpacity.back());
+        tables.insert(tables.end(), table.begin(), table.end());
       }
       subject.renderer.setGradientOpacity(tables);
     }

@@ -5,7 +5,6 @@
 #include "Traversals.h"
 
 #include "Accuracy/Candidates.h"
-#include "Layout.h"
 #include "Reference/Projection.h"
 #include "Reference/Shaded.h"
 
@@ -110,13 +109,7 @@ TEST(LooksCompleted, WithOpacityByGradients)
     const reference::Image plain = test.shade(settings);
     settings.gradientOpacity = [](double magnitude)
     { return std::clamp((magnitude - 0.03) / 0.05, 0.0, 1.0); };
-    std::vector<float> table(layout::GRADIENT_OPACITIES);
-    for (std::size_t i = 0; i < table.size(); ++i)
-    {
-      table[i] = static_cast<float>(settings.gradientOpacity(
-        layout::GREATEST_GRADIENT * static_cast<double>(i) / (table.size() - 1.0)));
-    }
-    test.subject.renderer.setGradientOpacity(table);
+    test.subject.renderer.setGradientOpacity(tabulateGradients(settings.gradientOpacity));
     const reference::Image truth = test.shade(settings);
     EXPECT_LT(reference::psnrOfDrawn(plain, truth), 35.0);
     test.expect("opacity by gradients", truth, 46.0);

@@ -4,16 +4,30 @@
 #define ExaBricksTestingSceneRenderer_h
 
 #include "Core/Completion.h"
+#include "Layout.h"
 #include "Reference/Oracle.h"
 #include "Reference/Scenes.h"
 #include "Vulkan/VolumeRenderer.h"
 
+#include <functional>
 #include <glm/ext/matrix_transform.hpp>
 #include <stdexcept>
 
 namespace exabricks
 {
 using reference::layeredTransfer;
+
+/// A function of the gradient's magnitude as VolumeRenderer::setGradientOpacity() takes it.
+inline std::vector<float> tabulateGradients(const std::function<double(double)>& opacity)
+{
+  std::vector<float> table;
+  for (std::uint32_t i = 0; i < layout::GRADIENT_OPACITIES; ++i)
+  {
+    table.push_back(static_cast<float>(
+      opacity(layout::GREATEST_GRADIENT * i / (layout::GRADIENT_OPACITIES - 1.0))));
+  }
+  return table;
+}
 
 struct SceneRenderer
 {

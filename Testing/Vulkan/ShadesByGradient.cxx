@@ -5,7 +5,6 @@
 #include "SceneRenderer.h"
 #include "Traversals.h"
 
-#include "Layout.h"
 #include "Reference/Shaded.h"
 
 #include <gtest/gtest.h>
@@ -151,13 +150,7 @@ TEST(ShadesByGradient, OpacityByTheGradientsMagnitude)
     const reference::Image plain = test.truth();
     test.settings.gradientOpacity = [](double magnitude)
     { return std::clamp((magnitude - 0.03) / 0.05, 0.0, 1.0); };
-    std::vector<float> table(layout::GRADIENT_OPACITIES);
-    for (std::size_t i = 0; i < table.size(); ++i)
-    {
-      table[i] = static_cast<float>(test.settings.gradientOpacity(
-        layout::GREATEST_GRADIENT * static_cast<double>(i) / (table.size() - 1.0)));
-    }
-    test.subject.renderer.setGradientOpacity(table);
+    test.subject.renderer.setGradientOpacity(tabulateGradients(test.settings.gradientOpacity));
     const reference::Image truth = test.truth();
     const double quality = test.compare(truth);
     std::cout << scene.name << ": " << quality << " dB, coverage " << coverage(truth)

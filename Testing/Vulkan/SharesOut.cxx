@@ -74,10 +74,8 @@ protected:
     {
       const Block& block = whole->blocks[b];
       const auto level = static_cast<std::size_t>(block.level);
-      const Box shown = outwardToCells(part, 2);
-      const std::int64_t reach = whole->reach[level];
       const Box near = intersection(
-        subject.scene.hierarchy.logicalBox(block), { shown.lo - reach, shown.hi + reach });
+        subject.scene.hierarchy.logicalBox(block), cellsInReach(part, whole->reach[level]));
       if (!near.empty())
       {
         hierarchy.blocks.push_back({ block.level, outwardToCells(near, width[level]) });
