@@ -249,8 +249,10 @@ public:
    * component is not finite is absent. Independent ones are shaded and lessened by their own
    * gradients, each with its material, and projected (maximum to additive) each by itself, colours
    * and greys added up by weight; dependent ones by the gradient of the last component, and by the
-   * place where that one is greatest or least; averages and sums are of the first one. There are no
-   * iso-surfaces of several components: an error says so.
+   * place where that one is greatest or least; averages and sums are of the first one.
+   * Iso-surfaces are those of the independent component of the greatest weight, as if it were
+   * alone; of two dependent ones those of the first, with colours and normals of it and the opacity
+   * of the second; of four there are none: an error says so.
    */
   enum VectorModeType
   {

@@ -75,12 +75,12 @@ std::shared_ptr<const exabricks::BrickedVolume> vtkExaBricksVolumeMapper::vtkInt
     this->Surfaces = {};
     return bricked;
   }
-  if (this->Surfaces.of != bricked || this->Surfaces.alone->function != *component)
+  if (this->Surfaces.of != bricked || this->Surfaces.alone->propertyComponent != *component)
   {
     auto alone = std::make_shared<exabricks::BrickedVolume>(*bricked);
     alone->volume.values = bricked->volume.valuesOf(static_cast<std::size_t>(*component));
     alone->volume.furtherValues.clear();
-    alone->function = *component;
+    alone->propertyComponent = *component;
     this->Surfaces = { bricked, std::move(alone) };
   }
   return this->Surfaces.alone;
@@ -150,9 +150,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
       ofPart.drawnWithout.emplace_back("One of several processes draws without ErrorTolerance: "
                                        "steps are those of StepScale.");
     }
-    const exabricks::Blending blending = exabricks::findBlending(this->Self);
-    if (blending != exabricks::Blending::Composite && blending != exabricks::Blending::Isosurface &&
-      blending != exabricks::Blending::Slice)
+    if (!exabricks::isOfPlaces(exabricks::findBlending(this->Self)))
     {
       ofPart.drawnWithout.emplace_back(
         "One of several processes draws the greatest, least or mean value, or the sum, of its own "
@@ -178,9 +176,8 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
           "nor in order. Put a vtkExaBricksRedistribute before the mapper." } });
     }
   }
-  this->Report({ {},
-    exabricks::checkCategories(property, static_cast<int>(bricked.volume.components()),
-      this->FindReconstruction(property)) });
+  this->Report(
+    { {}, exabricks::checkCategories(property, bricked, this->FindReconstruction(property)) });
   return this->Report(exabricks::checkMedium(this->Self, property, bricked));
 }
 
@@ -248,8 +245,9 @@ void vtkExaBricksVolumeMapper::vtkInternals::UpdateTransferFunction(
   else
   {
     const exabricks::Range& range = bricked.volume.values->range;
-    const exabricks::TransferFunction transfer = exabricks::makeTransferFunction(property,
-      bricked.function, property->GetScalarOpacity(bricked.function), range, this->Colors);
+    const exabricks::TransferFunction transfer =
+      exabricks::makeTransferFunction(property, bricked.propertyComponent,
+        property->GetScalarOpacity(bricked.propertyComponent), range, this->Colors);
     if (this->Self->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && !this->SaidTransparent)
     {
       const exabricks::Requests found = exabricks::checkTransparency(property, transfer, bricked);
@@ -289,6 +287,7 @@ void vtkExaBricksVolumeMapper::vtkInternals::DropVolume()
 {
   this->Renderer.setVolume({});
   this->Bricked.reset();
+  this->Surfaces = {};
 }
 
 // Warns, once, of what the volume is drawn without; returns what is refused.

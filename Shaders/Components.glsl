@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The components of a volume and their gradients, where the field is continuous.
 
-// Whether a component's gradient is asked for: each one's of independent components, of dependent ones
-// that of the last, which has opacity, and of those of a function of two variables that of the first.
+// Of components that are not independent, the one that has opacity; of a function of two variables the
+// first one.
+const uint leadingComponent = mixing == MIXING_PLANAR ? 0u : componentCount - 1u;
+
+// Whether a component's gradient is asked for.
 bool hasGradient(uint component)
 {
-  return needsGradient &&
-    (mixing == MIXING_INDEPENDENT || component == (mixing == MIXING_PLANAR ? 0u : componentCount - 1u));
+  return needsGradient && (mixing == MIXING_INDEPENDENT || component == leadingComponent);
 }
 
 // `gradients`: by half cells, a column for each component that has one.

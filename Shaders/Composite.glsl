@@ -11,12 +11,6 @@ void addBehind(vec4 color, Spot spot, inout Accumulator gathered)
   gathered.color += (1.0 - gathered.color.a) * color;
 }
 
-// What has no length: colour, times opacity, and opacity.
-void addFlat(vec4 color, Spot spot, inout Accumulator gathered)
-{
-  addBehind(color * (hasGradientOpacity ? opacityOfGradient(spot, 0u) : 1.0), spot, gathered);
-}
-
 void compositeConstant(float value, float units, Spot spot, inout Accumulator gathered)
 {
   const TransferPart part = findPart(value);

@@ -120,9 +120,9 @@ void addCompletedJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout 
   weight += w * toHalfCells;
 }
 
-// As sampleField() (Field.glsl): the field at the ray's point, and its gradient by half cells.
+// As sampleComponent() (Field.glsl): the field at the ray's point, and its gradient by half cells.
 // Where cells have one value each, the gradient is that of the basis.
-vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
+vec4 sampleComponentJet(Brick brick, uint others, Ray ray, float distance, uint component)
 {
   vec4 sum = vec4(0.0);
   vec4 weight = vec4(0.0);
@@ -131,11 +131,11 @@ vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
     const vec3 q = toCells(brick, ray, distance);
     if (isCompleted)
     {
-      addCompletedJet(brick, q, 0u, sum, weight);
+      addCompletedJet(brick, q, component, sum, weight);
     }
     else
     {
-      addBasisJet(brick, q, 0u, sum, weight);
+      addBasisJet(brick, q, component, sum, weight);
     }
     if (others == 0u)
     {
@@ -146,4 +146,10 @@ vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
   vec4 jet = divideJets(sum, weight);
   jet.w = clamp(jet.w, 0.0, 1.0);
   return jet;
+}
+
+// Of the first component.
+vec4 sampleFieldJet(Brick brick, uint others, Ray ray, float distance)
+{
+  return sampleComponentJet(brick, others, ray, distance, 0u);
 }

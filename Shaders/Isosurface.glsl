@@ -77,15 +77,27 @@ vec4 colorOfSurface(float isoValue, vec3 gradient, Cursor cursor, Ray ray, float
 }
 #endif
 
-void addSurface(float isoValue, Cursor cursor, Ray ray, float at, inout Accumulator gathered)
+// What is seen of the field at a place: a surface of a value, or a slice where it has that value.
+void addSurface(float value, Cursor cursor, Ray ray, float at, inout Accumulator gathered)
 {
   vec3 gradient = vec3(0.0);
   if (isShaded || hasGradientOpacity || mapsGradient)
   {
     gradient = sampleFieldJet(cursor.brick, cursor.others, ray, at).xyz;
   }
-  addFlat(colorOfSurface(isoValue, gradient, cursor, ray, at),
-    spotAt(ray, cursor.brick, at, gradient), gathered);
+  const Spot spot = spotAt(ray, cursor.brick, at, gradient);
+  vec4 color = colorOfSurface(value, gradient, cursor, ray, at);
+  if (hasGradientOpacity)
+  {
+    Spot opacitySpot = spot;
+    if (mixing == MIXING_COLOR_AND_OPACITY)
+    {
+      opacitySpot.gradient =
+        sampleComponentJet(cursor.brick, cursor.others, ray, at, 1u).xyz; // which has opacity
+    }
+    color *= opacityOfGradient(opacitySpot, 0u);
+  }
+  addBehind(color, spot, gathered);
 }
 
 // The surfaces that the ray passes from one distance and value to another. Where the values are those

@@ -2,10 +2,6 @@
 // Several components where blending is not by absorption: extremes, sums and slices. The tables hold
 // opacity.
 
-// Whose greatest or least value counts, of components that are not independent: the one that has
-// opacity, and of a function of two variables the first one.
-const uint leadingComponent = mixing == MIXING_PLANAR ? 0u : componentCount - 1u;
-
 // The greatest or least value of each independent component; of others all values where that of the
 // leading one is.
 void widenComponentsTo(vec4 values, inout Accumulator gathered)

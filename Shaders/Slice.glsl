@@ -7,17 +7,11 @@ void marchSlice(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   float end = cursor.exit;
   if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
   {
-    vec3 gradient = vec3(0.0);
-    if (isShaded || hasGradientOpacity || mapsGradient)
-    {
-      gradient = sampleFieldJet(cursor.brick, cursor.others, ray, cursor.entry).xyz;
-    }
     if (!isNearest)
     {
       value = sampleField(cursor.brick, cursor.others, ray, cursor.entry);
     }
-    addFlat(colorOfSurface(value, gradient, cursor, ray, cursor.entry),
-      spotAt(ray, cursor.brick, cursor.entry, gradient), gathered);
+    addSurface(value, cursor, ray, cursor.entry, gathered);
     gathered.value = value; // it is complete
   }
   else if (showsUndefined && value == UNDEFINED)

@@ -21,8 +21,8 @@ struct BrickedVolume
   int components = 1;    // of the array, of which the volume may have one, or all
   bool joined = false;   // the second component is that of another array
   bool onPoints = false; // cells are around the points of the AMR's only block
-  // Of a volume of one component, which of the property's functions and materials show it.
-  int function = 0;
+  // Of a volume of one component, which of the property's components shows it.
+  int propertyComponent = 0;
   double brightest = 1.0;     // what the array's type has for the brightest red, green or blue
   double structureTime = 0.0; // s
   double valuesTime = 0.0;    // s

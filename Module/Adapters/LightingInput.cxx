@@ -87,7 +87,7 @@ std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const Bri
   vtkVolumeProperty* property = vol->GetProperty();
   const bool shaded = bricked.volume.components() > 1 && isIndependent(property, bricked)
     ? isShaded(property, bricked.volume.components())
-    : property->GetShade(bricked.function) != 0;
+    : property->GetShade(bricked.propertyComponent) != 0;
   if (!shaded)
   {
     return std::nullopt;
@@ -95,7 +95,8 @@ std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const Bri
   Lighting lighting;
   for (std::size_t k = 0; k < lighting.materials.size(); ++k)
   {
-    const int component = std::min(bricked.function + static_cast<int>(k), VTK_MAX_VRCOMP - 1);
+    const int component =
+      std::min(bricked.propertyComponent + static_cast<int>(k), VTK_MAX_VRCOMP - 1);
     lighting.materials[k] = { property->GetAmbient(component), property->GetDiffuse(component),
       property->GetSpecular(component), property->GetSpecularPower(component) };
   }
@@ -120,7 +121,7 @@ std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Bricke
   std::vector<bool> has(functions);
   for (std::size_t k = 0; k < functions; ++k)
   {
-    has[k] = hasGradientOpacity(property, bricked.function + static_cast<int>(k));
+    has[k] = hasGradientOpacity(property, bricked.propertyComponent + static_cast<int>(k));
   }
   if (std::find(has.begin(), has.end(), true) == has.end())
   {
@@ -129,8 +130,9 @@ std::vector<float> makeGradientOpacity(vtkVolumeProperty* property, const Bricke
   std::vector<float> tables;
   for (std::size_t k = 0; k < functions; ++k)
   {
-    vtkPiecewiseFunction* function =
-      has[k] ? property->GetGradientOpacity(bricked.function + static_cast<int>(k)) : nullptr;
+    vtkPiecewiseFunction* function = has[k]
+      ? property->GetGradientOpacity(bricked.propertyComponent + static_cast<int>(k))
+      : nullptr;
     const Range& range = volume.valuesOf(independent ? k : components - 1)->range;
     const double width = range.max > range.min ? range.max - range.min : 1.0;
     for (std::uint32_t i = 0; i < layout::GRADIENT_OPACITIES; ++i)

@@ -34,9 +34,9 @@ std::string checkUnits(vtkVolumeProperty* property, int components)
   return {};
 }
 
-std::string checkPlanar(vtkVolumeProperty* property)
+std::string checkPlanar(vtkVolumeProperty* property, int component)
 {
-  vtkImageData* function = property->GetTransferFunction2D();
+  vtkImageData* function = property->GetTransferFunction2D(component);
   vtkDataArray* colors = function ? function->GetPointData()->GetScalars() : nullptr;
   const int* const size = function ? function->GetDimensions() : nullptr;
   if (colors && colors->GetNumberOfComponents() == 4 && size[0] > 0 && size[1] > 0 &&
@@ -84,7 +84,7 @@ Requests checkMedium(
   {
     if (isPlanar(property, bricked))
     {
-      requests.refused = checkPlanar(property);
+      requests.refused = checkPlanar(property, bricked.propertyComponent);
       return requests;
     }
     requests.drawnWithout.push_back(
@@ -149,7 +149,7 @@ Medium makeMedium(
   if (planar)
   {
     medium.mixing = Mixing::Planar;
-    medium.planar = makePlanar(property->GetTransferFunction2D());
+    medium.planar = makePlanar(property->GetTransferFunction2D(bricked.propertyComponent));
     return medium;
   }
   if (isIndependent(property, bricked))

@@ -75,12 +75,7 @@ bool hasCategories(vtkVolumeProperty* property, int component)
     property->GetRGBTransferFunction(component)->GetIndexedLookup();
 }
 
-bool countsGradientOpacity(vtkVolumeMapper* mapper)
-{
-  const int mode = mapper->GetBlendMode();
-  return mode == vtkVolumeMapper::COMPOSITE_BLEND || mode == vtkVolumeMapper::ISOSURFACE_BLEND ||
-    mode == vtkVolumeMapper::SLICE_BLEND;
-}
+bool countsGradientOpacity(vtkVolumeMapper* mapper) { return isOfPlaces(findBlending(mapper)); }
 
 std::string describeGradientOpacityElsewhere()
 {
@@ -89,9 +84,11 @@ std::string describeGradientOpacityElsewhere()
 }
 
 std::vector<std::string> checkCategories(
-  vtkVolumeProperty* property, int components, Reconstruction reconstruction)
+  vtkVolumeProperty* property, const BrickedVolume& bricked, Reconstruction reconstruction)
 {
-  for (int k = 0; k < components && reconstruction != Reconstruction::Nearest; ++k)
+  const int first = bricked.propertyComponent;
+  const int end = first + static_cast<int>(bricked.volume.components());
+  for (int k = first; k < end && reconstruction != Reconstruction::Nearest; ++k)
   {
     if (hasCategories(property, k))
     {

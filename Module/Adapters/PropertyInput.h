@@ -43,7 +43,7 @@ bool hasGradientOpacity(vtkVolumeProperty* property, int component = 0);
 
 /// Warns of colours of categories where values between those of cells are drawn.
 std::vector<std::string> checkCategories(
-  vtkVolumeProperty* property, int components, Reconstruction reconstruction);
+  vtkVolumeProperty* property, const BrickedVolume& bricked, Reconstruction reconstruction);
 /// Whether gradient opacity counts with the mapper's blend mode, and the warning that it does not.
 bool countsGradientOpacity(vtkVolumeMapper* mapper);
 std::string describeGradientOpacityElsewhere();

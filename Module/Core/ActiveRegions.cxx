@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ActiveRegions.h"
 
+#include "Core/FirstException.h"
 #include "Core/KdLink.h"
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <numeric>
 
 namespace exabricks
@@ -27,59 +29,38 @@ struct Shown
   const TransferFunction* transfer;
 };
 
-class Selection
+// Makes the tree of what is active, from the leaves on.
+class TreeMaker
 {
 public:
-  // `ranges`: of the first component, by which steps are weighted.
-  Selection(const Volume& volume, const ValueRanges& ranges, std::vector<Shown> shown,
-    const StepWeights* weights, const ActiveForm& form)
-    : Subject(*volume.structure)
-    , Tree(volume.structure->tree)
-    , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
-    , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
-    , Ranges(ranges)
-    , Components(std::move(shown))
-    , Weights(weights)
-    , Form(form)
+  explicit TreeMaker(Extreme extreme)
+    : Wanted(extreme)
   {
-    if (!this->Tree.nodes.empty())
-    {
-      this->Resize(1);
-      this->Put(0, this->Select(0));
-    }
   }
 
-  ActiveRegions take() { return std::move(this->Result); }
-
-private:
-  bool WantsExtremes() const { return this->Form.extreme != Extreme::None; }
-
-  float ExtremeOf(const ValueRange& range) const
+  ActiveRegions take(const Subtree& root)
   {
-    return this->Form.extreme == Extreme::Greatest ? range.max : range.min;
+    this->Put(0, root);
+    return std::move(this->Result);
   }
 
-  void Resize(std::size_t nodes)
-  {
-    this->Result.nodes.resize(nodes);
-    this->Result.nodeExtremes.resize(this->WantsExtremes() ? nodes : 0);
-  }
+  /// Below the root, for which there is a place.
+  std::size_t nodes() const { return this->Result.nodes.size(); }
+  ActiveRegions& result() { return this->Result; }
+  const ActiveRegions& result() const { return this->Result; }
 
-  void Put(std::size_t place, const Subtree& subtree)
+  float extremeOf(const ValueRange& range) const
   {
-    this->Result.nodes[place] = subtree.node;
-    if (this->WantsExtremes())
-    {
-      this->Result.nodeExtremes[place] = this->ExtremeOf(subtree.range);
-    }
+    return this->Wanted == Extreme::Greatest ? range.max : range.min;
   }
+  bool wantsExtremes() const { return this->Wanted != Extreme::None; }
 
   // Makes room for two children side by side, fills it with what `lower` and `upper` return, and
   // returns the node above them: Nothing, if both children are.
   template <typename Lower, typename Upper>
-  Subtree Join(int axis, int plane, const Lower& lower, const Upper& upper)
+  Subtree join(int axis, int plane, const Lower& lower, const Upper& upper)
   {
-    const std::size_t place = this->Result.nodes.size();
+    const std::size_t place = this->nodes();
     this->Resize(place + 2);
     const Subtree first = lower();
     const Subtree second = upper();
@@ -95,6 +76,99 @@ private:
     return { { plane, makeLink(place, static_cast<std::uint32_t>(axis)) }, range };
   }
 
+  // Takes over a tree that was made by itself, but for its root, which is returned.
+  Subtree append(const TreeMaker& other, Subtree root)
+  {
+    const std::size_t offset = this->nodes() - 1; // of places, as both have one for a root
+    const ActiveRegions& from = other.Result;
+    const auto moved = [offset](layout::KdNode node)
+    {
+      const std::uint32_t kind = node.link & 3;
+      node.link = kind == layout::KD_LEAF ? node.link : makeLink((node.link >> 2) + offset, kind);
+      return node;
+    };
+    for (std::size_t i = 1; i < from.nodes.size(); ++i)
+    {
+      this->Result.nodes.push_back(moved(from.nodes[i]));
+    }
+    const auto add = [](auto& to, const auto& more, std::size_t first)
+    {
+      if (more.size() > first)
+      {
+        to.insert(to.end(), more.begin() + static_cast<std::ptrdiff_t>(first), more.end());
+      }
+    };
+    add(this->Result.nodeExtremes, from.nodeExtremes, 1);
+    add(this->Result.boxes, from.boxes, 0);
+    add(this->Result.boxExtremes, from.boxExtremes, 0);
+    this->Result.regions += from.regions;
+    this->Result.boxCount += from.boxCount;
+    root.node = moved(root.node);
+    return root;
+  }
+
+  void begin() { this->Resize(1); }
+
+private:
+  void Resize(std::size_t nodes)
+  {
+    this->Result.nodes.resize(nodes);
+    this->Result.nodeExtremes.resize(this->wantsExtremes() ? nodes : 0);
+  }
+
+  void Put(std::size_t place, const Subtree& subtree)
+  {
+    this->Result.nodes[place] = subtree.node;
+    if (this->wantsExtremes())
+    {
+      this->Result.nodeExtremes[place] = this->extremeOf(subtree.range);
+    }
+  }
+
+  const Extreme Wanted;
+  ActiveRegions Result;
+};
+
+// Selects below one node of the regions' tree.
+class Selection
+{
+public:
+  // `ranges`: of the first component, by which steps are weighted.
+  Selection(const Volume& volume, const ValueRanges& ranges, const std::vector<Shown>& shown,
+    const StepWeights* weights, const ActiveForm& form)
+    : Subject(*volume.structure)
+    , Tree(volume.structure->tree)
+    , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
+    , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
+    , Ranges(ranges)
+    , Components(shown)
+    , Weights(weights)
+    , Form(form)
+    , Made(form.extreme)
+  {
+    this->Made.begin();
+  }
+
+  void selectBelow(std::size_t node)
+  {
+    std::size_t first = node;
+    while ((this->Tree.nodes[first].link & 3) != layout::KD_LEAF)
+    {
+      first = this->Tree.nodes[first].link >> 2;
+    }
+    const std::vector<MacrocellGrid>& grids = this->Ranges.grids;
+    // Leaves come in the order of regions, as grids do.
+    this->NextGrid = static_cast<std::size_t>(
+      std::lower_bound(grids.begin(), grids.end(), this->Tree.nodes[first].link >> 2,
+        [](const MacrocellGrid& grid, std::uint32_t region) { return grid.region < region; }) -
+      grids.begin());
+    this->Root = this->Select(node);
+  }
+
+  const TreeMaker& made() const { return this->Made; }
+  const Subtree& root() const { return this->Root; }
+
+private:
   // Of a part of a hierarchy there are regions around what is shown.
   bool IsInPart(const layout::Region& region) const
   {
@@ -129,13 +203,12 @@ private:
     const std::uint32_t index = node.link >> 2;
     if ((node.link & 3) != layout::KD_LEAF)
     {
-      return this->Join(
+      return this->Made.join(
         node.link & 3, node.plane, [&] { return this->Select(index); },
         [&] { return this->Select(index + 1); });
     }
     const layout::Region& region = this->Tree.regions[index];
     const std::vector<MacrocellGrid>& grids = this->Ranges.grids;
-    // Leaves come in the order of regions, as grids do.
     while (this->NextGrid < grids.size() && grids[this->NextGrid].region < index)
     {
       ++this->NextGrid;
@@ -146,7 +219,7 @@ private:
     {
       return {};
     }
-    ++this->Result.regions;
+    ++this->Made.result().regions;
     if (undefined || this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
     {
       return this->Show(region, region.lo, region.hi, this->Ranges.regions[index]);
@@ -197,7 +270,7 @@ private:
       glm::ivec3 lowerEnd = end;
       glm::ivec3 upperBegin = begin;
       lowerEnd[axis] = upperBegin[axis] = middle;
-      return this->Join(
+      return this->Made.join(
         axis, grid.corner(region, glm::ivec3(middle))[axis],
         [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Subtree(); },
         [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Subtree(); });
@@ -238,13 +311,14 @@ private:
     const float step = absent ? -length : length;
     layout::KdNode leaf{ 0, makeLink(region.firstBrick, layout::KD_LEAF) };
     std::memcpy(&leaf.plane, &step, sizeof step);
-    ++this->Result.boxCount;
+    ActiveRegions& result = this->Made.result();
+    ++result.boxCount;
     if (this->Form.boxes)
     {
-      this->Result.boxes.push_back({ lo, region.firstBrick, hi, step });
-      if (this->WantsExtremes())
+      result.boxes.push_back({ lo, region.firstBrick, hi, step });
+      if (this->Made.wantsExtremes())
       {
-        this->Result.boxExtremes.push_back(this->ExtremeOf(range));
+        result.boxExtremes.push_back(this->Made.extremeOf(range));
       }
     }
     return { leaf, range };
@@ -255,12 +329,105 @@ private:
   const std::vector<unsigned char>& BrickHasAbsentCells;
   const std::vector<unsigned char>& BrickHasUndefinedCells;
   const ValueRanges& Ranges;
-  const std::vector<Shown> Components;
+  const std::vector<Shown>& Components;
   const StepWeights* Weights;
   const ActiveForm Form;
-  ActiveRegions Result;
+  TreeMaker Made;
+  Subtree Root;
   std::size_t NextGrid = 0;
 };
+
+// The regions' tree is cut into subtrees that are selected at once, and what comes of them is put
+// together.
+class ParallelSelection
+{
+public:
+  ParallelSelection(const RegionTree& tree, const ActiveForm& form)
+    : Tree(tree)
+    , Depth(tree.regions.size() < WorthIt ? 0 : DepthOfSubtrees)
+    , Made(form.extreme)
+  {
+    this->List(0, this->Depth);
+  }
+
+  template <typename MakeSelection>
+  ActiveRegions select(const MakeSelection& makeSelection)
+  {
+    this->Selected.resize(this->Subtrees.size());
+    FirstException failure;
+#pragma omp parallel for schedule(dynamic, 1) if (this->Subtrees.size() > 1)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(this->Subtrees.size()); ++i)
+    {
+      failure.guard(
+        [&]
+        {
+          const auto k = static_cast<std::size_t>(i);
+          this->Selected[k] = makeSelection();
+          this->Selected[k]->selectBelow(this->Subtrees[k]);
+        });
+    }
+    failure.rethrow();
+    this->Made.begin();
+    return this->Made.take(this->Merge(0, this->Depth));
+  }
+
+private:
+  // Below that threads would wait for each other longer than they work.
+  static constexpr std::size_t WorthIt = 4096;
+  // A few hundred subtrees, of which some take much longer than others.
+  static constexpr int DepthOfSubtrees = 8;
+
+  bool IsSubtree(std::size_t node, int depth) const
+  {
+    return depth == 0 || (this->Tree.nodes[node].link & 3) == layout::KD_LEAF;
+  }
+
+  void List(std::size_t node, int depth)
+  {
+    if (this->IsSubtree(node, depth))
+    {
+      this->Subtrees.push_back(node);
+      return;
+    }
+    const std::size_t lower = this->Tree.nodes[node].link >> 2;
+    this->List(lower, depth - 1);
+    this->List(lower + 1, depth - 1);
+  }
+
+  // In the order of the list.
+  Subtree Merge(std::size_t node, int depth)
+  {
+    if (this->IsSubtree(node, depth))
+    {
+      const std::unique_ptr<Selection> selected = std::move(this->Selected[this->Next++]);
+      return this->Made.append(selected->made(), selected->root());
+    }
+    const layout::KdNode& split = this->Tree.nodes[node];
+    const std::size_t lower = split.link >> 2;
+    return this->Made.join(
+      static_cast<int>(split.link & 3), split.plane, [&] { return this->Merge(lower, depth - 1); },
+      [&] { return this->Merge(lower + 1, depth - 1); });
+  }
+
+  const RegionTree& Tree;
+  const int Depth;
+  TreeMaker Made;
+  std::vector<std::size_t> Subtrees; // their nodes
+  std::vector<std::unique_ptr<Selection>> Selected;
+  std::size_t Next = 0;
+};
+
+ActiveRegions select(const Volume& volume, const ValueRanges& ranges,
+  const std::vector<Shown>& shown, const StepWeights* weights, const ActiveForm& form)
+{
+  const RegionTree& tree = volume.structure->tree;
+  if (tree.nodes.empty())
+  {
+    return {};
+  }
+  return ParallelSelection(tree, form)
+    .select([&] { return std::make_unique<Selection>(volume, ranges, shown, weights, form); });
+}
 }
 
 ActiveRegions selectActiveRegions(const Volume& volume, const TransferFunction& transfer,
@@ -281,7 +448,7 @@ ActiveRegions selectActiveRegions(const Volume& volume,
       shown.push_back({ &volume.valuesOf(k)->ranges, transfers[k] });
     }
   }
-  return Selection(volume, volume.values->ranges, std::move(shown), weights, form).take();
+  return select(volume, volume.values->ranges, shown, weights, form);
 }
 
 ActiveRegions selectAllRegions(const Volume& volume, const ActiveForm& form)
@@ -289,7 +456,7 @@ ActiveRegions selectAllRegions(const Volume& volume, const ActiveForm& form)
   ValueRanges whole;
   whole.regions.assign(volume.structure->tree.regions.size(), { 0.0f, 1.0f });
   const TransferFunction opaque({ { 0.0, glm::dvec4(1.0) } });
-  return Selection(volume, whole, { { &whole, &opaque } }, nullptr, form).take();
+  return select(volume, whole, { { &whole, &opaque } }, nullptr, form);
 }
 
 void sortByMedianSplits(ActiveRegions& active)

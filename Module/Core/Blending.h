@@ -24,6 +24,14 @@ enum class Blending
   Slice       // a plane, of the colour and opacity of the values there
 };
 
+/// Whether what is seen is at places along the ray, which have a gradient: extremes and sums are
+/// not.
+inline bool isOfPlaces(Blending blending)
+{
+  return blending == Blending::Composite || blending == Blending::Isosurface ||
+    blending == Blending::Slice;
+}
+
 /// Normalised values that count for Average, of each component.
 using AverageRanges = std::array<glm::dvec2, layout::MOST_COMPONENTS>;
 inline AverageRanges wholeAverageRanges()

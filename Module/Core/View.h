@@ -88,8 +88,8 @@ struct View
   std::vector<double> isoValues; // normalised, ascending, for Blending::Isosurface
   /// For Blending::Slice: as the planes of the cutaway.
   glm::dvec4 slicePlane{ 0.0, 0.0, 1.0, 0.0 };
-  /// For Blending::Composite of one component: how cells look whose value is undefined, red, green,
-  /// blue and the opacity of the unit distance, in [0, 1]; none: they are absent.
+  /// For Blending::Composite and Slice of one component: how cells look whose value is undefined,
+  /// red, green, blue and the opacity of the unit distance, in [0, 1]; none: they are absent.
   std::optional<glm::dvec4> undefinedColor;
   std::optional<Lighting> lighting; // none: colours are those of the transfer function
 };

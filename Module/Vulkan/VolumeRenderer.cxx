@@ -21,6 +21,8 @@ struct VolumeRenderer::Internals
   exabricks::Appearance Appearance;
   std::vector<float> GradientOpacity;
   exabricks::Visibility Visibility; // by the last view
+  Extreme PassedBy = Extreme::None; // with it what a selection is made of
+  bool UndefinedShown = false;
 
   // What is on the device. Rebuilt from the above when the device was lost.
   vulkan::DeviceSession Session;
@@ -38,8 +40,7 @@ struct VolumeRenderer::Internals
   vulkan::Selection MakeSelection() const
   {
     return { this->Visibility, this->Weights ? &*this->Weights : nullptr,
-      { this->Measured.traversal == Traversal::RayQuery, this->Appearance.extreme(),
-        this->Appearance.showsUndefined() } };
+      { this->Measured.traversal == Traversal::RayQuery, this->PassedBy, this->UndefinedShown } };
   }
 
   // What was chosen for an error no longer holds.
@@ -166,11 +167,8 @@ struct VolumeRenderer::Internals
     variant.reconstruction = view.quality.reconstruction;
     variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
-    // Of values that are extremes or sums no place along the ray has a gradient.
-    const bool ofPlaces = view.blending == Blending::Composite ||
-      view.blending == Blending::Isosurface || view.blending == Blending::Slice;
-    variant.shaded = ofPlaces && view.lighting.has_value();
-    variant.hasGradientOpacity = ofPlaces && !this->GradientOpacity.empty();
+    variant.shaded = isOfPlaces(view.blending) && view.lighting.has_value();
+    variant.hasGradientOpacity = isOfPlaces(view.blending) && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
     variant.jittered =
@@ -251,29 +249,28 @@ struct VolumeRenderer::Internals
   // What is looked up and what shows, for the view's way of blending.
   void UpdateAppearance(const View& view)
   {
-    const Extreme before = this->Appearance.extreme();
-    const bool showedUndefined = this->Appearance.showsUndefined();
     if (this->Appearance.setView(view))
     {
       this->Colors.reset();
       this->ForgetChoice();
       this->UpdateVisibility();
     }
-    if (this->Appearance.extreme() != before ||
-      this->Appearance.showsUndefined() != showedUndefined)
-    {
-      this->InvalidateSelection();
-    }
   }
 
+  // Whenever anything of the appearance has changed.
   void UpdateVisibility()
   {
     exabricks::Visibility visibility = this->Appearance.findVisibility();
-    if (this->Weights || !showTheSame(visibility, this->Visibility))
+    const Extreme extreme = this->Appearance.extreme();
+    const bool undefined = this->Appearance.showsUndefined();
+    if (this->Weights || !showTheSame(visibility, this->Visibility) || extreme != this->PassedBy ||
+      undefined != this->UndefinedShown)
     {
       this->InvalidateSelection();
     }
     this->Visibility = std::move(visibility);
+    this->PassedBy = extreme;
+    this->UndefinedShown = undefined;
   }
 
   void Draw(View view, std::vector<glm::vec4>& picture, const Progress& progress)

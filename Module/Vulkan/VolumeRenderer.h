@@ -43,12 +43,12 @@ public:
 
   /// The same for a volume of several components, for which it takes the place of
   /// setTransferFunction(). Its functions have to be as many as its mixing takes; there are no
-  /// iso-surfaces of several components.
+  /// iso-surfaces of independent components, and of red, green and blue.
   void setMedium(const Medium& medium);
 
-  /// By what the extinction of Blending::Composite is multiplied, for GRADIENT_OPACITIES gradients
-  /// from 0 to GREATEST_GRADIENT (Layout.h), of each function of opacity that a medium has; empty:
-  /// by nothing.
+  /// By what the extinction of Blending::Composite, and the opacity of surfaces and slices, is
+  /// multiplied, for GRADIENT_OPACITIES gradients from 0 to GREATEST_GRADIENT (Layout.h), of each
+  /// function of opacity that a medium has; empty: by nothing.
   void setGradientOpacity(const std::vector<float>& table);
 
   /// Brings everything on the device up to date.

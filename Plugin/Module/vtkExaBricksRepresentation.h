@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * A 2-D transfer function in place of colors and opacities, as for vtkVolumeRepresentation, with
-   * blend mode composite: of the array to color by, and of its gradient's magnitude or of another
+   * A 2-D transfer function in place of colors and opacities, as for vtkVolumeRepresentation: of
+   * the array to color by, and of its gradient's magnitude or of another
    * array of the same cells or points.
    */
   void SetUseTransfer2D(bool use);

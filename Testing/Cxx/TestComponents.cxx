@@ -8,7 +8,10 @@
 #include "Stage.h"
 
 #include "vtkContourValues.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <limits>
@@ -203,6 +206,20 @@ int TestComponents(int, char*[])
   surfaces.Property()->SetSpecular(2, 0.0);
   surfaces.Shows({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 0.1 }, "lit surfaces of the heaviest component");
   surfaces.Property()->SetShade(2, false);
+  // Its 2-D function, and its gradient opacity.
+  vtkNew<vtkImageData> yellow;
+  yellow->SetDimensions(1, 1, 1);
+  yellow->AllocateScalars(VTK_FLOAT, 4);
+  yellow->GetPointData()->GetScalars()->SetTuple4(0, 1.0, 1.0, 0.0, 0.5);
+  surfaces.Property()->SetTransferFunction2D(2, yellow);
+  surfaces.Property()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  surfaces.Shows({ 0.5, 0.5, 0.0 }, { 0.5, 0.5, 0.0 }, "2-D");
+  surfaces.Property()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.0, 0.25);
+  surfaces.Property()->SetGradientOpacity(2, byGradient);
+  surfaces.Shows({ 0.0, 0.0, 0.05 }, { 0.0, 0.0, 0.05 }, "less opaque by its gradient");
+  surfaces.Property()->SetGradientOpacity(2, static_cast<vtkPiecewiseFunction*>(nullptr));
   surfaces.mapper->SetBlendModeToComposite();
   surfaces.Property()->SetComponentWeight(0, 0.0);
   surfaces.Property()->SetComponentWeight(2, 0.0);

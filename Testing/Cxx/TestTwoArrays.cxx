@@ -112,6 +112,15 @@ int TestTwoArrays(int, char*[])
     checks.Near(surface.At(10, row)[0], 0.5 * opacity, test::OneStep, "a surface's red");
     checks.Near(surface.At(10, row)[1], 0.3 * opacity, test::OneStep, "a surface's green");
   }
+  // By gradients that of the one with opacity counts: here 0.1 along y, and 1 along z of the other.
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.1, 0.5);
+  byGradient->AddPoint(0.4, 1.0);
+  property->SetGradientOpacity(byGradient);
+  const test::Picture lessened(stage.window);
+  property->SetGradientOpacity(nullptr);
+  checks.Near(
+    lessened.At(10, 52)[0], 0.5 * surface.At(10, 52)[0], test::OneStep, "by the gradient");
   mapper->SelectScalarArray("heat");
   mapper->SetBlendModeToComposite();
 
@@ -210,6 +219,23 @@ int TestTwoArrays(int, char*[])
     checks.Near(picture.At(20, 20)[2], steepness, test::OneStep, what + ", opacity");
     checks.Near(picture.At(20, 20)[0], steepness * red(5.0), test::OneStep, what + ", red");
   }
+
+  // A maximum by the 1-D functions right after one by the 2-D one.
+  mapper->SetBlendModeToMaximumIntensity();
+  checks.Expect(test::Picture(stage.window).Coverage() > 0.9, "a maximum, 2-D");
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  mapper->SetReconstructionToBasis();
+  const test::Picture maximum(stage.window);
+  test::Stage fresh(makeAMR(), Pixels);
+  fresh.mapper->SetScalarModeToUseCellFieldData();
+  fresh.mapper->SelectScalarArray("depth");
+  fresh.mapper->SetReconstructionToBasis();
+  fresh.mapper->SetBlendModeToMaximumIntensity();
+  fresh.Property()->DeepCopy(property);
+  test::lookAlongZ(fresh.renderer, 4.0, 4.0, 4.0, 8.0);
+  checks.Expect(std::isinf(maximum.Decibel(test::Picture(fresh.window))), "a maximum, 1-D");
+  checks.Expect(maximum.Coverage() > 0.9, "it shows");
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   mapper->SetBlendModeToComposite();
 
   // By all components of an array there is none.
