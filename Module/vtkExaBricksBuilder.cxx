@@ -284,9 +284,10 @@ std::string vtkExaBricksBuilder::vtkInternals::CheckArray(
   vtkDataArray* array, vtkImageData* grid, bool onPoints) const
 {
   const vtkIdType expected = onPoints ? grid->GetNumberOfPoints() : grid->GetNumberOfCells();
-  return array->GetNumberOfTuples() == expected
+  return array->GetNumberOfTuples() >=
+      expected // as for VTK's mappers, what is too much is left out
     ? ""
-    : "expected " + std::to_string(expected) + " values in array '" + nameOf(array) +
+    : "expected at least " + std::to_string(expected) + " values in array '" + nameOf(array) +
       "', one for each " + (onPoints ? "point" : "cell") + " of a block's grid, found " +
       std::to_string(array->GetNumberOfTuples()) + ". Check the reader or filter that made it";
 }

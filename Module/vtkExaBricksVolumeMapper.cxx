@@ -242,6 +242,11 @@ vtkDataSet* vtkExaBricksVolumeMapper::GetInput(int port)
 {
   auto* amr = vtkOverlappingAMR::SafeDownCast(
     this->GetNumberOfInputConnections(port) > 0 ? this->GetInputDataObject(port, 0) : nullptr);
+  if (amr && amr->GetNumberOfLevels() == 0)
+  {
+    // Programs ask it for its range before anything was drawn, where VTK has an empty image.
+    this->GetInputAlgorithm(port, 0)->Update();
+  }
   vtkDataSet* only = nullptr;
   std::size_t blocks = 0;
   if (amr)

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArrayAccessor.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -226,6 +227,14 @@ private:
   // A grid may be larger than the AMR box, by ghost layers. Round-off in its origin is common.
   void AddGrid(unsigned int level, unsigned int index, vtkImageData* grid, const Block& block)
   {
+    if (!grid->GetDirectionMatrix()->IsIdentity())
+    {
+      this->Input.fault = "expected grids along the axes, found the grid of " +
+        blockName(level, index) +
+        " turned. Turn the volume in its place: SetUserMatrix() of the vtkVolume, and "
+        "SetDirectionMatrix() of the grids without";
+      return;
+    }
     const glm::dvec3& spacing = this->Spacings.back();
     const double* origin = this->AMR->GetOrigin();
     double bounds[6];
@@ -442,7 +451,8 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     if (input.onPoints)
     {
       source.gridCells = Int3(points[0], points[1], points[2]);
-      source.hidden = vtkDataSetAttributes::HIDDENPOINT;
+      // Of a block alone duplicates are another process's points.
+      source.hidden = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
       source.ghosts = findGhosts(grid->GetPointData(), grid->GetNumberOfPoints(), source.hidden);
       continue;
     }

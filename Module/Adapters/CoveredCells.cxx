@@ -9,6 +9,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace exabricks
 {
 bool isVolumeFraction(const char* array)
@@ -38,7 +40,8 @@ vtkIdType hideCoveredCells(vtkOverlappingAMR* amr)
       {
         ghosts = block->AllocateCellGhostArray();
       }
-      for (vtkIdType i = 0; i < fraction->GetNumberOfTuples(); ++i)
+      for (vtkIdType i = 0;
+           i < std::min(fraction->GetNumberOfTuples(), ghosts->GetNumberOfTuples()); ++i)
       {
         if (!(fraction->GetComponent(i, 0) > 0.0))
         {

@@ -165,8 +165,10 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
   }
   if (takesNormalsFromOpacity(mapper, 0))
   {
-    without("ComputeNormalFromOpacity is not supported: the volume is drawn with normals along the "
-            "gradient of its values, along which that of their opacity lies too.");
+    without(
+      "ComputeNormalFromOpacity is not supported: normals are against the gradient of values. "
+      "Where opacity falls as values rise they are turned; with two-sided lighting that makes "
+      "no difference.");
   }
   return requests;
 }

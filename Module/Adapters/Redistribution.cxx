@@ -38,7 +38,8 @@ void addRanges(vtkDataArray* array, ArrayRanges& ranges)
 void addRangesOfMarked(vtkDataArray* array, vtkDataArray* marks, ArrayRanges& ranges)
 {
   constexpr int without = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  const vtkIdType cells = std::min(array->GetNumberOfTuples(), marks->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < cells; ++i)
   {
     if ((static_cast<int>(marks->GetComponent(i, 0)) & without) != 0)
     {

@@ -32,6 +32,7 @@ public:
     /// [cell of the brick]: 0 as long as it has no value, else greater for a finer level that the
     /// value is from, and odd for a duplicate.
     std::vector<unsigned char> rank;
+    std::vector<unsigned char> owned; // [cell of the brick]: a block holds it, and no duplicate
     std::vector<int> blocks;
   };
 
@@ -41,6 +42,7 @@ public:
     const std::size_t n = brick.numberOfCells();
     scratch.values.assign(n, HiddenValue);
     scratch.rank.assign(n, 0);
+    scratch.owned.assign(n, 0);
     const Box box = brick.box(this->Grid.cellWidth[brick.level]);
     std::size_t missing = n;
     for (int level = brick.level; level >= 0 && missing > 0; --level)
@@ -55,10 +57,15 @@ public:
         missing -= this->ReadPart(brick, box, level, i, scratch);
       }
     }
+    // What there are but duplicates of is another process's to draw.
+    for (std::size_t t = 0; t < n && missing > 0; ++t)
+    {
+      scratch.values[t] = scratch.owned[t] ? scratch.values[t] : HiddenValue;
+    }
   }
 
 private:
-  // Returns how many of the brick's cells had no value before.
+  // Returns how many of the brick's cells were not owned before.
   std::size_t ReadPart(const Brick& brick, const Box& box, int level, int i, Scratch& scratch) const
   {
     const int block = this->Index.blocks[level][i];
@@ -77,6 +84,7 @@ private:
     {
       this->Source.read(block, cells, scratch.values.data());
       std::fill(scratch.rank.begin(), scratch.rank.end(), real);
+      std::fill(scratch.owned.begin(), scratch.owned.end(), static_cast<unsigned char>(1));
       return n;
     }
     scratch.part.resize(n);
@@ -104,9 +112,13 @@ private:
           const std::size_t f = from.x + size.x * (from.y + size.y * from.z);
           // The finest level wins, and within a level the real cell.
           const unsigned char rank = scratch.duplicate[f] ? real - 1 : real;
+          if (!scratch.duplicate[f] && !scratch.owned[t])
+          {
+            scratch.owned[t] = 1;
+            ++added;
+          }
           if (rank > scratch.rank[t])
           {
-            added += scratch.rank[t] == 0;
             scratch.rank[t] = rank;
             scratch.values[t] = scratch.part[f];
           }

@@ -145,6 +145,19 @@ int TestAbsentCells(int argc, char* argv[])
   data = scene.Show(duplicates, 8.0, "duplicates", 5.0);
   checks.Equal(data->GetNumberOfLeafCells(), 8 * 8 * 8, "duplicates are counted once");
 
+  // Duplicates that no block here owns are another process's to draw.
+  auto foreign = test::makeNullBlocks(blocks);
+  for (const test::Block& block : blocks)
+  {
+    auto grid = test::makeGrid(block);
+    test::addCells(grid, [](double, double, double z) { return z > 6.0 ? Junk : 1.0; });
+    mark(grid, vtkDataSetAttributes::DUPLICATECELL,
+      [](double, double, double z) { return z > 6.0 ? 1.0 : 0.0; });
+    foreign->SetDataSet(block.level, 0, grid);
+  }
+  data = scene.Show(foreign, 6.0, "duplicates of another process");
+  checks.Equal(data->GetNumberOfAbsentCells(), 8 * 8 * 2, "they are absent");
+
   // A fine block that is not there does not cover anything; a coarse one leaves a hole.
   auto withoutFine = test::makeNullBlocks(blocks);
   auto coarse = test::makeGrid(blocks[0]);

@@ -196,7 +196,21 @@ int TestBadInput(int, char*[])
       three->FillValue(1.0);
       grid->GetCellData()->SetScalars(three);
     });
-  scene.Fails(tooShort, { "512 values", "'three'", "found 3" }, "a short array");
+  scene.Fails(tooShort, { "at least 512 values", "'three'", "found 3" }, "a short array");
+  // One that is too long has a value for each cell, as for VTK's mappers.
+  auto tooLong = test::makeAMR({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }, test::constant(1.0));
+  test::forEachGrid(tooLong,
+    [](unsigned int, vtkUniformGrid* grid)
+    { grid->GetCellData()->GetArray(0)->InsertNextTuple1(7.0); });
+  mapper->SetInputData(tooLong);
+  scene.Works("a long array");
+  checks.Equal(mapper->GetBuilder()->GetOutput()->GetNumberOfLeafCells(), 512, "its cells");
+
+  auto turned = test::makeAMR({ { 0, { 0, 0, 0 }, { 8, 8, 8 } } }, test::constant(1.0));
+  test::forEachGrid(turned,
+    [](unsigned int, vtkUniformGrid* grid)
+    { grid->SetDirectionMatrix(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0); });
+  scene.Fails(turned, { "along the axes", "turned", "SetUserMatrix" }, "a turned grid");
 
   // An array without a name is as good as any.
   auto unnamed = test::makeAMR(blocks, test::constant(1.0));

@@ -88,15 +88,18 @@ void checkPictures(test::Checks& checks)
   parity::Mappers mappers({ { 24, 24, 24 }, {}, parity::ball });
   mappers.ShowBall();
 
-  mappers.mapper->SetFinalColorWindow(1.6f);
-  mappers.onGPU->SetFinalColorWindow(1.6f);
-  mappers.mapper->SetFinalColorLevel(0.3f);
-  mappers.onGPU->SetFinalColorLevel(0.3f);
-  mappers.ExpectSameAsOnGPU(checks, "final color window and level");
-  mappers.mapper->SetFinalColorWindow(1.0f);
-  mappers.onGPU->SetFinalColorWindow(1.0f);
-  mappers.mapper->SetFinalColorLevel(0.5f);
-  mappers.onGPU->SetFinalColorLevel(0.5f);
+  const auto setFinalColor = [&](float window, float level)
+  {
+    mappers.mapper->SetFinalColorWindow(window);
+    mappers.mapper->SetFinalColorLevel(level);
+    mappers.onGPU->SetFinalColorWindow(window);
+    mappers.onGPU->SetFinalColorLevel(level);
+    mappers.fixedPoint->SetFinalColorWindow(window);
+    mappers.fixedPoint->SetFinalColorLevel(level);
+  };
+  setFinalColor(1.6f, 0.3f);
+  mappers.ExpectSame(checks, "final color window and level");
+  setFinalColor(1.0f, 0.5f);
 
   mappers.mapper->SetImageSampleDistance(3.0f);
   mappers.fixedPoint->SetImageSampleDistance(3.0f);
