@@ -76,35 +76,62 @@ public:
     return { { plane, makeLink(place, static_cast<std::uint32_t>(axis)) }, range };
   }
 
-  // Takes over a tree that was made by itself, but for its root, which is returned.
-  Subtree append(const TreeMaker& other, Subtree root)
+  /// Where in this tree and its boxes those of another one are. Roots do not count.
+  struct Place
   {
-    const std::size_t offset = this->nodes() - 1; // of places, as both have one for a root
-    const ActiveRegions& from = other.Result;
-    const auto moved = [offset](layout::KdNode node)
+    std::size_t nodes = 1;
+    std::size_t boxes = 0;
+
+    void pass(const TreeMaker& other)
     {
-      const std::uint32_t kind = node.link & 3;
-      node.link = kind == layout::KD_LEAF ? node.link : makeLink((node.link >> 2) + offset, kind);
-      return node;
-    };
+      this->nodes += other.nodes() - 1;
+      this->boxes += other.Result.boxes.size();
+    }
+  };
+
+  void makeRoom(const Place& end)
+  {
+    this->Resize(end.nodes);
+    this->Result.boxes.resize(end.boxes);
+    this->Result.boxExtremes.resize(this->wantsExtremes() ? end.boxes : 0);
+  }
+
+  /// Puts another tree there, where there is room; from several threads at once.
+  void put(const TreeMaker& other, const Place& place)
+  {
+    const ActiveRegions& from = other.Result;
     for (std::size_t i = 1; i < from.nodes.size(); ++i)
     {
-      this->Result.nodes.push_back(moved(from.nodes[i]));
+      this->Result.nodes[place.nodes + i - 1] = moved(from.nodes[i], place);
     }
-    const auto add = [](auto& to, const auto& more, std::size_t first)
+    const auto copy = [](auto& to, const auto& more, std::size_t first, std::size_t at)
     {
       if (more.size() > first)
       {
-        to.insert(to.end(), more.begin() + static_cast<std::ptrdiff_t>(first), more.end());
+        std::copy(more.begin() + static_cast<std::ptrdiff_t>(first), more.end(),
+          to.begin() + static_cast<std::ptrdiff_t>(at));
       }
     };
-    add(this->Result.nodeExtremes, from.nodeExtremes, 1);
-    add(this->Result.boxes, from.boxes, 0);
-    add(this->Result.boxExtremes, from.boxExtremes, 0);
-    this->Result.regions += from.regions;
-    this->Result.boxCount += from.boxCount;
-    root.node = moved(root.node);
-    return root;
+    copy(this->Result.nodeExtremes, from.nodeExtremes, 1, place.nodes);
+    copy(this->Result.boxes, from.boxes, 0, place.boxes);
+    copy(this->Result.boxExtremes, from.boxExtremes, 0, place.boxes);
+  }
+
+  /// A node of a tree that is there.
+  static layout::KdNode moved(layout::KdNode node, const Place& place)
+  {
+    const std::uint32_t kind = node.link & 3;
+    if (kind != layout::KD_LEAF)
+    {
+      node.link = makeLink((node.link >> 2) + place.nodes - 1, kind);
+    }
+    return node;
+  }
+
+  void count(const TreeMaker& other)
+  {
+    this->Result.regions += other.Result.regions;
+    this->Result.boxCount += other.Result.boxCount;
   }
 
   void begin() { this->Resize(1); }
@@ -135,11 +162,12 @@ class Selection
 public:
   // `ranges`: of the first component, by which steps are weighted.
   Selection(const Volume& volume, const ValueRanges& ranges, const std::vector<Shown>& shown,
-    const StepWeights* weights, const ActiveForm& form)
+    const StepWeights* weights, const ActiveForm& form, bool anyAbsentCells)
     : Subject(*volume.structure)
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
     , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
+    , AnyAbsentCells(anyAbsentCells)
     , Ranges(ranges)
     , Components(shown)
     , Weights(weights)
@@ -293,18 +321,12 @@ private:
   Subtree Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi,
     const ValueRange& range)
   {
-    std::int64_t width = std::numeric_limits<std::int64_t>::max();
-    bool absent = false;
-    for (std::uint32_t k = 0; k < region.brickCount; ++k)
-    {
-      const std::uint32_t brick = this->Tree.brickLists[region.firstBrick + k];
-      width = std::min(width, this->Subject.width(this->Subject.bricks[brick]));
-      absent = absent || this->BrickHasAbsentCells[brick];
-    }
-    if (!this->Tree.finestCells.empty())
-    {
-      width = this->Tree.finestCells[static_cast<std::size_t>(&region - this->Tree.regions.data())];
-    }
+    const std::int64_t width =
+      this->Tree.finestCells[static_cast<std::size_t>(&region - this->Tree.regions.data())];
+    const auto bricks = this->Tree.brickLists.begin() + region.firstBrick;
+    const bool absent = this->AnyAbsentCells &&
+      std::any_of(bricks, bricks + region.brickCount,
+        [this](std::uint32_t brick) { return this->BrickHasAbsentCells[brick] != 0; });
     const double cells =
       this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;
     const float length = static_cast<float>(cells * 2.0 * static_cast<double>(width));
@@ -328,6 +350,7 @@ private:
   const RegionTree& Tree;
   const std::vector<unsigned char>& BrickHasAbsentCells;
   const std::vector<unsigned char>& BrickHasUndefinedCells;
+  const bool AnyAbsentCells;
   const ValueRanges& Ranges;
   const std::vector<Shown>& Components;
   const StepWeights* Weights;
@@ -367,7 +390,7 @@ public:
         });
     }
     failure.rethrow();
-    this->Made.begin();
+    this->PutTogether();
     return this->Made.take(this->Merge(0, this->Depth));
   }
 
@@ -394,13 +417,33 @@ private:
     this->List(lower + 1, depth - 1);
   }
 
-  // In the order of the list.
+  void PutTogether()
+  {
+    TreeMaker::Place end;
+    for (const std::unique_ptr<Selection>& selected : this->Selected)
+    {
+      this->Places.push_back(end);
+      end.pass(selected->made());
+      this->Made.count(selected->made());
+    }
+    checkIndex(end.nodes); // before any thread makes a link
+    this->Made.makeRoom(end);
+#pragma omp parallel for schedule(dynamic, 1) if (this->Subtrees.size() > 1)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(this->Subtrees.size()); ++i)
+    {
+      const auto k = static_cast<std::size_t>(i);
+      this->Made.put(this->Selected[k]->made(), this->Places[k]);
+    }
+  }
+
+  // What is above the subtrees, in the order of the list.
   Subtree Merge(std::size_t node, int depth)
   {
     if (this->IsSubtree(node, depth))
     {
-      const std::unique_ptr<Selection> selected = std::move(this->Selected[this->Next++]);
-      return this->Made.append(selected->made(), selected->root());
+      Subtree root = this->Selected[this->Next]->root();
+      root.node = TreeMaker::moved(root.node, this->Places[this->Next++]);
+      return root;
     }
     const layout::KdNode& split = this->Tree.nodes[node];
     const std::size_t lower = split.link >> 2;
@@ -414,6 +457,7 @@ private:
   TreeMaker Made;
   std::vector<std::size_t> Subtrees; // their nodes
   std::vector<std::unique_ptr<Selection>> Selected;
+  std::vector<TreeMaker::Place> Places; // of what was selected
   std::size_t Next = 0;
 };
 
@@ -425,8 +469,14 @@ ActiveRegions select(const Volume& volume, const ValueRanges& ranges,
   {
     return {};
   }
+  const std::vector<unsigned char>& absent = volume.values->brickHasAbsentCells;
+  const bool anyAbsentCells =
+    std::any_of(absent.begin(), absent.end(), [](unsigned char hasThem) { return hasThem != 0; });
   return ParallelSelection(tree, form)
-    .select([&] { return std::make_unique<Selection>(volume, ranges, shown, weights, form); });
+    .select(
+      [&] {
+        return std::make_unique<Selection>(volume, ranges, shown, weights, form, anyAbsentCells);
+      });
 }
 }
 

@@ -84,6 +84,7 @@ public:
     this->Tree.nodes.shrink_to_fit();
     this->Tree.regions.shrink_to_fit();
     this->Tree.brickLists.shrink_to_fit();
+    this->Tree.finestCells.shrink_to_fit();
     return std::move(this->Tree);
   }
 
@@ -115,14 +116,20 @@ private:
     {
       return count <= static_cast<std::size_t>(this->Limits.bricks);
     }
+    const glm::ivec3 size = box.hi - box.lo;
+    return count <= static_cast<std::size_t>(this->Limits.bricks) ||
+      std::max({ size.x, size.y, size.z }) <=
+      2 * this->Limits.smallCells * this->FinestOfList(begin);
+  }
+
+  std::int64_t FinestOfList(std::size_t begin) const
+  {
     std::int64_t finest = std::numeric_limits<int>::max();
     for (std::size_t i = begin; i < this->Lists.size(); ++i)
     {
       finest = std::min(finest, this->Widths[this->Lists[i]]);
     }
-    const glm::ivec3 size = box.hi - box.lo;
-    return count <= static_cast<std::size_t>(this->Limits.bricks) ||
-      std::max({ size.x, size.y, size.z }) <= 2 * this->Limits.smallCells * finest;
+    return finest;
   }
 
   // The node's list is the end of Lists, from `begin` on; `fraction` is its part of the whole work.
@@ -190,6 +197,7 @@ private:
       static_cast<std::uint32_t>(this->Lists.size() - begin) });
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
+    this->Tree.finestCells.push_back(begin < this->Lists.size() ? this->FinestOfList(begin) : 0);
     this->Done += fraction;
     if (this->Report && region % 4096 == 0)
     {

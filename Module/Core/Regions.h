@@ -17,8 +17,8 @@ struct RegionTree
   std::vector<layout::Region> regions; // in the order of the tree's leaves
   std::vector<std::uint32_t> brickLists;
   std::vector<layout::KdNode> nodes; // the root first
-  /// [region] of a part of a hierarchy: width of the finest cells that reach into it in the whole,
-  /// as lists lack bricks that are beyond the part's reach. Empty: lists tell.
+  /// [region]: width of the finest cells that reach into it; 0: none do. Of a part of a hierarchy
+  /// also of cells beyond the part's reach, which its lists lack.
   std::vector<std::int64_t> finestCells;
 };
 

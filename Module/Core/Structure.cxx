@@ -3,8 +3,6 @@
 
 #include "Core/Parts.h"
 
-#include <limits>
-
 namespace exabricks
 {
 namespace
@@ -14,16 +12,6 @@ namespace
 void keepBricksInReach(Structure& structure)
 {
   const Hierarchy& hierarchy = structure.hierarchy;
-  const auto finestOf = [&](const layout::Region& region)
-  {
-    std::int64_t finest = std::numeric_limits<std::int64_t>::max();
-    for (std::uint32_t k = 0; k < region.brickCount; ++k)
-    {
-      const std::uint32_t brick = structure.tree.brickLists[region.firstBrick + k];
-      finest = std::min(finest, structure.width(structure.bricks[brick]));
-    }
-    return finest;
-  };
   std::vector<std::uint32_t> number(structure.bricks.size(), 0); // from 1 on; 0: it is left out
   std::vector<Brick> kept;
   structure.leafCells = 0;
@@ -47,7 +35,6 @@ void keepBricksInReach(Structure& structure)
   std::vector<std::uint32_t> lists;
   for (layout::Region& region : structure.tree.regions)
   {
-    structure.tree.finestCells.push_back(finestOf(region));
     const auto list = structure.tree.brickLists.begin() + region.firstBrick;
     const auto first = static_cast<std::uint32_t>(lists.size());
     for (auto brick = list; brick != list + region.brickCount; ++brick)

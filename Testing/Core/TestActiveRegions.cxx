@@ -2,6 +2,7 @@
 // The pruned tree leads to the regions that show something, and to no others.
 #include "Core/ActiveRegions.h"
 #include "Core/Structures.h"
+#include "Scenes/StandIn.h"
 
 #include <array>
 #include <functional>
@@ -290,6 +291,46 @@ TEST(ActiveRegions, KnowTheExtremesBelowEachNode)
       EXPECT_EQ(active.boxExtremes[i], found);
     }
   }
+}
+
+// So many regions that subtrees of them are selected at once.
+TEST(ActiveRegions, OfManyRegionsComeInOrderWithTheirTree)
+{
+  const StandIn standIn = makeStandIn(StandInKind::Impact5K, 400000);
+  auto structure = std::make_shared<const Structure>(buildStructure(standIn.hierarchy));
+  auto values = std::make_shared<Values>(gatherValues(*structure, *standIn.cells));
+  values->ranges = findValueRanges(*structure, *values, 1000); // none is cut
+  const Volume volume{ structure, values };
+  ASSERT_GT(structure->tree.regions.size(), 20000u);
+  const TransferFunction transfer = above(0.1);
+  const ActiveRegions active =
+    selectActiveRegions(volume, transfer, nullptr, { true, Extreme::Greatest });
+  ASSERT_EQ(active.nodes.size(), 2 * countLeaves(active.nodes, 0) - 1);
+  ASSERT_EQ(active.nodeExtremes.size(), active.nodes.size());
+  ASSERT_EQ(active.boxExtremes.size(), active.boxes.size());
+  std::size_t next = 0;
+  float greatest = 0.0f;
+  for (std::size_t r = 0; r < structure->tree.regions.size(); ++r)
+  {
+    const layout::Region& region = structure->tree.regions[r];
+    const bool shows = region.brickCount > 0 && transfer.visible(values->ranges.regions[r]);
+    ASSERT_EQ(findLeaf(active.nodes, region.lo),
+      shows ? region.firstBrick : std::uint32_t(layout::KD_NO_REGION));
+    if (shows)
+    {
+      ASSERT_LT(next, active.boxes.size());
+      ASSERT_EQ(active.boxes[next].lo, region.lo);
+      ASSERT_EQ(active.boxExtremes[next], values->ranges.regions[r].max);
+      greatest = std::max(greatest, values->ranges.regions[r].max);
+      ++next;
+    }
+  }
+  EXPECT_EQ(active.boxes.size(), next);
+  EXPECT_EQ(active.regions, next);
+  EXPECT_EQ(active.boxCount, next);
+  EXPECT_GT(next, 1000u);
+  EXPECT_LT(next, structure->tree.regions.size());
+  EXPECT_EQ(active.nodeExtremes[0], greatest);
 }
 
 TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)
