@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Regions.h"
 
+#include "Core/FirstException.h"
 #include "Core/KdLink.h"
 
+#include <atomic>
 #include <limits>
+#include <memory>
+#include <omp.h>
 
 namespace exabricks
 {
@@ -30,63 +34,121 @@ LatticeVolume commonVolume(const HalfBox& a, const HalfBox& b)
   return { length.x, length.y, length.z };
 }
 
-class Builder
+struct Candidate
+{
+  int axis = -1;
+  int position = 0;
+};
+
+// What regions are made of, in half cells from the bounds' lower corner.
+struct Given
+{
+  RegionLimits limits;
+  Box shown;
+  std::vector<HalfBox> bricks;
+  std::vector<HalfBox> supports;
+  std::vector<std::int64_t> widths; // of the bricks' cells, finest cells
+};
+
+// Progress of what is made on several threads, of which the first one reports it.
+class Watch
 {
 public:
-  Builder(const std::vector<Brick>& bricks, const Box& bounds,
-    const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits,
-    const Progress& progress, const std::optional<Box>& shown, bool whole)
-    : Limits(limits)
-    , Report(progress)
+  explicit Watch(const Progress& progress)
+    : Report(progress)
   {
-    this->Tree.bounds = bounds;
-    this->Tree.size = glm::ivec3(bounds.size() * std::int64_t(2));
-    this->Bricks.reserve(bricks.size());
-    this->Supports.reserve(bricks.size());
-    this->Widths.reserve(bricks.size());
-    const Int3 size(this->Tree.size);
-    const Int3 corner = bounds.lo * std::int64_t(2);
-    const Box bounded{ Int3(0), size };
-    this->Shown = shown ? Box{ shown->lo - corner, shown->hi - corner } : bounded;
-    const Box part = whole ? bounded : this->Shown;
-    const auto inPart = [&](const Int3& lo, const Int3& hi) {
-      return HalfBox{ glm::ivec3(glm::max(lo, part.lo)), glm::ivec3(glm::min(hi, part.hi)) };
-    };
-    for (const Brick& brick : bricks)
+  }
+
+  bool aborted() const { return this->Aborted.load(std::memory_order_relaxed); }
+
+  // `fraction` of all work was done, as one of `count` pieces of its kind.
+  void pass(double fraction, std::size_t count)
+  {
+    if (!this->Report)
     {
-      const std::int64_t width = cellWidth[brick.level];
-      const Box box = brick.box(width);
-      const Int3 lo = (box.lo - bounds.lo) * std::int64_t(2);
-      const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
-      this->Bricks.push_back(inPart(lo, hi));
-      this->Widths.push_back(width);
-      this->Supports.push_back(inPart(glm::max(lo - width, Int3(0)), glm::min(hi + width, size)));
+      return;
+    }
+    double done = this->Done.load();
+    while (!this->Done.compare_exchange_weak(done, done + fraction))
+    {
+    }
+    if (count % 4096 == 0 && omp_get_thread_num() == 0 &&
+      !this->Report(std::min(done + fraction, 1.0)))
+    {
+      this->Aborted = true;
     }
   }
 
-  RegionTree build()
+private:
+  const Progress& Report;
+  std::atomic<double> Done{ 0.0 };
+  std::atomic<bool> Aborted{ false };
+};
+
+// Finds the face of a support that is nearest to the middle of the longest axis that has one, to
+// halve a long list.
+template <typename Iterator>
+Candidate chooseMedian(const Given& given, const HalfBox& box, Iterator first, Iterator last)
+{
+  Candidate best;
+  const glm::ivec3 size = box.hi - box.lo;
+  std::int64_t bestScore = std::numeric_limits<std::int64_t>::min();
+  for (; first != last; ++first)
   {
-    this->Lists.reserve(this->Supports.size());
-    for (std::size_t i = 0; i < this->Supports.size(); ++i)
+    const HalfBox& support = given.supports[*first];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const std::uint32_t index = checkIndex(i);
-      if (!this->Supports[i].empty())
+      for (const int position : { support.lo[axis], support.hi[axis] })
       {
-        this->Lists.push_back(index);
+        if (position > box.lo[axis] && position < box.hi[axis])
+        {
+          const std::int64_t off =
+            std::abs(2 * (std::int64_t(position) - box.lo[axis]) - std::int64_t(size[axis]));
+          const std::int64_t score = std::int64_t(size[axis]) - off;
+          if (score > bestScore)
+          {
+            bestScore = score;
+            best = { axis, position };
+          }
+        }
       }
     }
-    this->Tree.nodes.push_back({});
-    this->BuildNode({ glm::ivec3(0), this->Tree.size }, 0, 0, 1.0);
-    if (this->Aborted)
-    {
-      this->Tree.nodes.clear();
-    }
-    this->Tree.nodes.shrink_to_fit();
-    this->Tree.regions.shrink_to_fit();
-    this->Tree.brickLists.shrink_to_fit();
-    this->Tree.finestCells.shrink_to_fit();
-    return std::move(this->Tree);
   }
+  return best;
+}
+
+// Whether a support reaches into the lower or the upper side of a plane.
+bool reaches(const HalfBox& support, int axis, int plane, bool upper)
+{
+  return upper ? support.hi[axis] > plane : support.lo[axis] < plane;
+}
+
+HalfBox sideOf(HalfBox box, int axis, int plane, bool upper)
+{
+  (upper ? box.lo : box.hi)[axis] = plane;
+  return box;
+}
+
+// The regions of one subtree.
+class Branch
+{
+public:
+  Branch(const Given& given, Watch& watch)
+    : Of(given)
+    , Watched(watch)
+  {
+  }
+
+  void build(const HalfBox& box, std::vector<std::uint32_t> list, double fraction)
+  {
+    this->Lists = std::move(list);
+    this->Tree.nodes.push_back({});
+    this->BuildNode(box, 0, 0, fraction);
+    this->Lists = {};
+  }
+
+  /// Without bounds.
+  RegionTree& tree() { return this->Tree; }
 
 private:
   enum class Cover
@@ -101,7 +163,7 @@ private:
     LatticeVolume volume;
     for (std::size_t i = begin; i < this->Lists.size(); ++i)
     {
-      volume += commonVolume(box, this->Bricks[this->Lists[i]]);
+      volume += commonVolume(box, this->Of.bricks[this->Lists[i]]);
     }
     return volume.empty()                ? Cover::None
       : volume == commonVolume(box, box) ? Cover::Full
@@ -112,14 +174,14 @@ private:
   bool IsFew(const HalfBox& box, std::size_t begin) const
   {
     const std::size_t count = this->Lists.size() - begin;
-    if (count > static_cast<std::size_t>(this->Limits.smallBricks))
+    if (count > static_cast<std::size_t>(this->Of.limits.smallBricks))
     {
-      return count <= static_cast<std::size_t>(this->Limits.bricks);
+      return count <= static_cast<std::size_t>(this->Of.limits.bricks);
     }
     const glm::ivec3 size = box.hi - box.lo;
-    return count <= static_cast<std::size_t>(this->Limits.bricks) ||
+    return count <= static_cast<std::size_t>(this->Of.limits.bricks) ||
       std::max({ size.x, size.y, size.z }) <=
-      2 * this->Limits.smallCells * this->FinestOfList(begin);
+      2 * this->Of.limits.smallCells * this->FinestOfList(begin);
   }
 
   std::int64_t FinestOfList(std::size_t begin) const
@@ -127,7 +189,7 @@ private:
     std::int64_t finest = std::numeric_limits<int>::max();
     for (std::size_t i = begin; i < this->Lists.size(); ++i)
     {
-      finest = std::min(finest, this->Widths[this->Lists[i]]);
+      finest = std::min(finest, this->Of.widths[this->Lists[i]]);
     }
     return finest;
   }
@@ -135,11 +197,11 @@ private:
   // The node's list is the end of Lists, from `begin` on; `fraction` is its part of the whole work.
   void BuildNode(const HalfBox& box, std::size_t node, std::size_t begin, double fraction)
   {
-    if (this->Aborted)
+    if (this->Watched.aborted())
     {
       return;
     }
-    if (!this->Shown.intersects({ Int3(box.lo), Int3(box.hi) }))
+    if (!this->Of.shown.intersects({ Int3(box.lo), Int3(box.hi) }))
     {
       this->AddRegion(box, node, this->Lists.size(), fraction);
       return;
@@ -148,7 +210,8 @@ private:
     this->Best = {};
     if (count > ExactCount)
     {
-      this->ChooseMedian(box, begin);
+      this->Best = chooseMedian(
+        this->Of, box, this->Lists.begin() + static_cast<std::ptrdiff_t>(begin), this->Lists.end());
     }
     if (this->Best.axis < 0)
     {
@@ -169,22 +232,19 @@ private:
     const std::size_t child = this->Tree.nodes.size();
     this->Tree.nodes[node] = { plane, makeLink(child, static_cast<std::uint32_t>(axis)) };
     this->Tree.nodes.resize(child + 2);
-    for (int side = 0; side < 2; ++side)
+    for (const bool upper : { false, true })
     {
-      HalfBox part = box;
-      (side ? part.lo : part.hi)[axis] = plane;
       const std::size_t end = begin + count;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const HalfBox& support = this->Supports[this->Lists[i]];
-        if (side ? support.hi[axis] > plane : support.lo[axis] < plane)
+        const std::uint32_t brick = this->Lists[i];
+        if (reaches(this->Of.supports[brick], axis, plane, upper))
         {
-          const std::uint32_t brick = this->Lists[i];
           this->Lists.push_back(brick);
         }
       }
       // The child's list begins where the node's ends.
-      this->BuildNode(part, child + side, end, fraction * 0.5);
+      this->BuildNode(sideOf(box, axis, plane, upper), child + upper, end, fraction * 0.5);
       this->Lists.resize(end);
     }
   }
@@ -198,18 +258,8 @@ private:
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
     this->Tree.finestCells.push_back(begin < this->Lists.size() ? this->FinestOfList(begin) : 0);
-    this->Done += fraction;
-    if (this->Report && region % 4096 == 0)
-    {
-      this->Aborted = !this->Report(std::min(this->Done, 1.0));
-    }
+    this->Watched.pass(fraction, region);
   }
-
-  struct Candidate
-  {
-    int axis = -1;
-    int position = 0;
-  };
 
   // Finds the face inside the node at which cutting it costs least: area times length of list, both
   // children added. That isolates boxes with short lists, where most samples are. Faces of supports
@@ -223,8 +273,8 @@ private:
       this->Positions.clear();
       for (std::size_t i = begin; i < this->Lists.size(); ++i)
       {
-        const HalfBox& support = this->Supports[this->Lists[i]];
-        const HalfBox& brick = this->Bricks[this->Lists[i]];
+        const HalfBox& support = this->Of.supports[this->Lists[i]];
+        const HalfBox& brick = this->Of.bricks[this->Lists[i]];
         for (const int position :
           { cutSupports ? support.lo[axis] : 0, cutSupports ? support.hi[axis] : 0,
             cutBricks ? brick.lo[axis] : 0, cutBricks ? brick.hi[axis] : 0 })
@@ -247,7 +297,7 @@ private:
         int upperCount = 0;
         for (std::size_t i = begin; i < this->Lists.size(); ++i)
         {
-          const HalfBox& support = this->Supports[this->Lists[i]];
+          const HalfBox& support = this->Of.supports[this->Lists[i]];
           lowerCount += support.lo[axis] < position;
           upperCount += support.hi[axis] > position;
         }
@@ -261,50 +311,195 @@ private:
     }
   }
 
-  // Finds the face of a support that is nearest to the middle of the longest axis that has one, to
-  // halve a long list.
-  void ChooseMedian(const HalfBox& box, std::size_t begin)
-  {
-    const glm::ivec3 size = box.hi - box.lo;
-    std::int64_t bestScore = std::numeric_limits<std::int64_t>::min();
-    for (std::size_t i = begin; i < this->Lists.size(); ++i)
-    {
-      const HalfBox& support = this->Supports[this->Lists[i]];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        for (const int position : { support.lo[axis], support.hi[axis] })
-        {
-          if (position > box.lo[axis] && position < box.hi[axis])
-          {
-            const std::int64_t off =
-              std::abs(2 * (std::int64_t(position) - box.lo[axis]) - std::int64_t(size[axis]));
-            const std::int64_t score = std::int64_t(size[axis]) - off;
-            if (score > bestScore)
-            {
-              bestScore = score;
-              this->Best = { axis, position };
-            }
-          }
-        }
-      }
-    }
-  }
-
   // Longer lists are split at the middle, shorter ones by cost.
   static constexpr std::size_t ExactCount = 24;
 
-  const RegionLimits Limits;
-  const Progress& Report;
+  const Given& Of;
+  Watch& Watched;
   RegionTree Tree;
-  Box Shown; // half cells from the bounds' lower corner
-  std::vector<HalfBox> Bricks;
-  std::vector<HalfBox> Supports;
-  std::vector<std::int64_t> Widths; // of the bricks' cells, finest cells
   std::vector<std::uint32_t> Lists; // a stack of the lists of the nodes on the current path
-  double Done = 0.0;
-  bool Aborted = false;
   Candidate Best;
   std::vector<int> Positions;
+};
+
+// Halves the bounds until lists are short enough for branches, which are made at once, and puts
+// these together. What comes of it does not depend on the number of threads.
+class Builder
+{
+public:
+  Builder(const std::vector<Brick>& bricks, const Box& bounds,
+    const std::vector<std::int64_t>& cellWidth, const RegionLimits& limits,
+    const Progress& progress, const std::optional<Box>& shown, bool whole)
+    : Watched(progress)
+  {
+    this->Of.limits = limits;
+    this->Tree.bounds = bounds;
+    this->Tree.size = glm::ivec3(bounds.size() * std::int64_t(2));
+    this->Of.bricks.reserve(bricks.size());
+    this->Of.supports.reserve(bricks.size());
+    this->Of.widths.reserve(bricks.size());
+    const Int3 size(this->Tree.size);
+    const Int3 corner = bounds.lo * std::int64_t(2);
+    const Box bounded{ Int3(0), size };
+    this->Of.shown = shown ? Box{ shown->lo - corner, shown->hi - corner } : bounded;
+    const Box part = whole ? bounded : this->Of.shown;
+    const auto inPart = [&](const Int3& lo, const Int3& hi) {
+      return HalfBox{ glm::ivec3(glm::max(lo, part.lo)), glm::ivec3(glm::min(hi, part.hi)) };
+    };
+    for (const Brick& brick : bricks)
+    {
+      const std::int64_t width = cellWidth[brick.level];
+      const Box box = brick.box(width);
+      const Int3 lo = (box.lo - bounds.lo) * std::int64_t(2);
+      const Int3 hi = (box.hi - bounds.lo) * std::int64_t(2);
+      this->Of.bricks.push_back(inPart(lo, hi));
+      this->Of.widths.push_back(width);
+      this->Of.supports.push_back(
+        inPart(glm::max(lo - width, Int3(0)), glm::min(hi + width, size)));
+    }
+  }
+
+  RegionTree build()
+  {
+    std::vector<std::uint32_t> all;
+    all.reserve(this->Of.supports.size());
+    for (std::size_t i = 0; i < this->Of.supports.size(); ++i)
+    {
+      const std::uint32_t index = checkIndex(i);
+      if (!this->Of.supports[i].empty())
+      {
+        all.push_back(index);
+      }
+    }
+    this->Tree.nodes.push_back({});
+    this->Split({ glm::ivec3(0), this->Tree.size }, 0, std::move(all), MostSplits, 1.0);
+    this->MakeBranches();
+    if (this->Watched.aborted())
+    {
+      return { this->Tree.bounds, this->Tree.size, {}, {}, {}, {} };
+    }
+    this->PutTogether();
+    return std::move(this->Tree);
+  }
+
+private:
+  struct Subtree
+  {
+    HalfBox box;
+    std::size_t node;
+    std::vector<std::uint32_t> list;
+    double fraction; // of all work
+    std::unique_ptr<Branch> branch;
+  };
+
+  static constexpr int MostSplits = 6;
+  // Lists that are shorter are made at once, whole.
+  static constexpr std::size_t WorthIt = 1024;
+
+  void Split(const HalfBox& box, std::size_t node, std::vector<std::uint32_t> list, int splits,
+    double fraction)
+  {
+    const Candidate best = splits > 0 && list.size() > WorthIt &&
+        this->Of.shown.intersects({ Int3(box.lo), Int3(box.hi) })
+      ? chooseMedian(this->Of, box, list.begin(), list.end())
+      : Candidate();
+    if (best.axis < 0)
+    {
+      this->Subtrees.push_back({ box, node, std::move(list), fraction, nullptr });
+      return;
+    }
+    const std::size_t child = this->Tree.nodes.size();
+    this->Tree.nodes[node] = { best.position,
+      makeLink(child, static_cast<std::uint32_t>(best.axis)) };
+    this->Tree.nodes.resize(child + 2);
+    for (const bool upper : { false, true })
+    {
+      std::vector<std::uint32_t> part;
+      for (const std::uint32_t brick : list)
+      {
+        if (reaches(this->Of.supports[brick], best.axis, best.position, upper))
+        {
+          part.push_back(brick);
+        }
+      }
+      this->Split(sideOf(box, best.axis, best.position, upper), child + upper, std::move(part),
+        splits - 1, fraction * 0.5);
+    }
+  }
+
+  void MakeBranches()
+  {
+    FirstException failure;
+#pragma omp parallel for schedule(dynamic, 1) if (this->Subtrees.size() > 1)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(this->Subtrees.size()); ++i)
+    {
+      failure.guard(
+        [&]
+        {
+          Subtree& subtree = this->Subtrees[static_cast<std::size_t>(i)];
+          subtree.branch = std::make_unique<Branch>(this->Of, this->Watched);
+          subtree.branch->build(subtree.box, std::move(subtree.list), subtree.fraction);
+        });
+    }
+    failure.rethrow();
+  }
+
+  void PutTogether()
+  {
+    std::size_t nodes = this->Tree.nodes.size();
+    std::size_t regions = 0;
+    std::size_t listed = 0;
+    for (const Subtree& subtree : this->Subtrees)
+    {
+      const RegionTree& tree = subtree.branch->tree();
+      nodes += tree.nodes.size() - 1; // its root has a place
+      regions += tree.regions.size();
+      listed += tree.brickLists.size();
+    }
+    this->Tree.nodes.reserve(nodes);
+    this->Tree.regions.reserve(regions);
+    this->Tree.finestCells.reserve(regions);
+    this->Tree.brickLists.reserve(listed);
+    for (Subtree& subtree : this->Subtrees)
+    {
+      this->Append(subtree.branch->tree(), subtree.node);
+      subtree.branch.reset();
+    }
+  }
+
+  // Of a tree whose root is at a node of this one.
+  void Append(const RegionTree& tree, std::size_t root)
+  {
+    const std::size_t firstNode = this->Tree.nodes.size();
+    const std::size_t firstRegion = this->Tree.regions.size();
+    const std::size_t firstListed = this->Tree.brickLists.size();
+    const auto moved = [&](const layout::KdNode& node)
+    {
+      const std::size_t index = node.link >> 2;
+      const std::uint32_t kind = node.link & 3;
+      return layout::KdNode{ node.plane,
+        makeLink(kind == layout::KD_LEAF ? index + firstRegion : index + firstNode - 1, kind) };
+    };
+    this->Tree.nodes[root] = moved(tree.nodes.front());
+    for (std::size_t i = 1; i < tree.nodes.size(); ++i)
+    {
+      this->Tree.nodes.push_back(moved(tree.nodes[i]));
+    }
+    for (layout::Region region : tree.regions)
+    {
+      region.firstBrick = checkIndex(region.firstBrick + firstListed);
+      this->Tree.regions.push_back(region);
+    }
+    this->Tree.brickLists.insert(
+      this->Tree.brickLists.end(), tree.brickLists.begin(), tree.brickLists.end());
+    this->Tree.finestCells.insert(
+      this->Tree.finestCells.end(), tree.finestCells.begin(), tree.finestCells.end());
+  }
+
+  Given Of;
+  Watch Watched;
+  RegionTree Tree;
+  std::vector<Subtree> Subtrees; // in the order of their leaves
 };
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Active brick regions partition the bounds, and know all bricks that reach into them.
+#include "Core/BoxIndex.h"
 #include "Core/Regions.h"
 #include "Core/Structures.h"
+#include "Scenes/StandIn.h"
 
 #include <gtest/gtest.h>
 
@@ -134,6 +136,54 @@ TEST(Regions, ListAllBricksThatReachIntoThemInAscendingOrder)
       ASSERT_EQ(reach, std::vector<std::uint32_t>(list, list + region.brickCount));
     }
   }
+}
+
+// So many bricks that subtrees are made at once: what is put together is whole, in order, and of
+// each region its list and the finest cells.
+TEST(Regions, OfManyBricksAreThoseOfTheirSubtrees)
+{
+  const StandIn standIn = makeStandIn(StandInKind::Impact5K, 500000);
+  const Structure structure = buildStructure(standIn.hierarchy);
+  const RegionTree& tree = structure.tree;
+  ASSERT_GT(structure.bricks.size(), 4000u);
+  std::vector<int> visits(tree.regions.size(), 0);
+  visitLeaves(tree, 0, { Int3(0), Int3(tree.size) }, visits);
+  EXPECT_EQ(visits, std::vector<int>(visits.size(), 1));
+  EXPECT_EQ(tree.nodes.size(), 2 * tree.regions.size() - 1);
+  ASSERT_EQ(tree.finestCells.size(), tree.regions.size());
+  std::vector<Box> supports;
+  for (const Brick& brick : structure.bricks)
+  {
+    const Box box = structure.box(brick);
+    const std::int64_t width = structure.width(brick);
+    supports.push_back({ (box.lo - tree.bounds.lo) * std::int64_t(2) - width,
+      (box.hi - tree.bounds.lo) * std::int64_t(2) + width });
+  }
+  const BoxIndex index(supports);
+  std::size_t listed = 0;
+  for (std::size_t r = 0; r < tree.regions.size(); ++r)
+  {
+    const layout::Region& region = tree.regions[r];
+    ASSERT_EQ(region.firstBrick, listed); // lists are in the order of regions
+    listed += region.brickCount;
+    std::vector<std::uint32_t> reach;
+    std::int64_t finest = 0;
+    if (region.brickCount > 0)
+    {
+      index.forEachIntersecting({ Int3(region.lo), Int3(region.hi) },
+        [&](int b) { reach.push_back(static_cast<std::uint32_t>(b)); });
+      std::sort(reach.begin(), reach.end());
+      finest = std::numeric_limits<std::int64_t>::max();
+      for (const std::uint32_t brick : reach)
+      {
+        finest = std::min(finest, structure.width(structure.bricks[brick]));
+      }
+    }
+    const auto list = tree.brickLists.begin() + region.firstBrick;
+    ASSERT_EQ(reach, std::vector<std::uint32_t>(list, list + region.brickCount));
+    ASSERT_EQ(tree.finestCells[r], finest);
+  }
+  EXPECT_EQ(listed, tree.brickLists.size());
 }
 
 namespace
