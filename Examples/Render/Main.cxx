@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// exabricks-render: draws an AMR data set as a volume into a PNG. The order of the work is the
+// exabricks-render: draws AMR data sets as volumes into pictures. The order of the work is the
 // order of this file: options, input, array, picture, output, report.
 
 #include "DidYouMean.h"
@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "Output.h"
 #include "Picture.h"
+#include "PictureSeries.h"
 #include "Report.h"
 
 #include "vtkExaBricksFirstPicture.h"
@@ -20,8 +21,6 @@
 #include <cctype>
 #include <chrono>
 #include <exception>
-#include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -106,18 +105,42 @@ std::unique_ptr<Picture> setUp(
 // The first picture is drawn already.
 void writeTurntable(const Options& options, Picture& picture)
 {
-  const std::filesystem::path path(options.Output);
+  PictureSeries series(options.Output, options.FramesPerSecond);
   for (int i = 0; i < options.Turntable; ++i)
   {
     if (i > 0)
     {
       picture.Turn(360.0 / options.Turntable);
     }
-    std::ostringstream name;
-    name << path.stem().string() << '-' << std::setw(4) << std::setfill('0') << i
-         << path.extension().string();
-    writePicture((path.parent_path() / name.str()).string(), picture.Pixels());
+    series.Add(picture.Pixels());
   }
+  series.Finish();
+}
+
+// All data sets as the picture is set up, with one of them in memory at a time.
+void writeTimeSeries(const Options& options, Picture& picture, const std::string& array)
+{
+  PictureSeries series(options.Output, options.FramesPerSecond);
+  for (const std::string& input : options.Inputs)
+  {
+    AMRFile file(input);
+    const auto& arrays = file.Arrays();
+    if (std::none_of(
+          arrays.begin(), arrays.end(), [&](const ArrayInfo& a) { return a.Name == array; }))
+    {
+      throw Failure(ExitCode::InputUnreadable,
+        "'" + input + "' has no cell array '" + array + "', which '" + options.Input +
+          "' has: a time series has the same arrays in each file.");
+    }
+    const auto amr = file.Read(array, options.Levels, options.Quiet);
+    if (options.Log)
+    {
+      vtkExaBricksFirstPicture::AddLogarithm(amr, array, options.Component.value_or(-1));
+    }
+    picture.DrawOther(amr);
+    series.Add(picture.Pixels());
+  }
+  series.Finish();
 }
 
 void drawIntoFile(Options options)
@@ -130,6 +153,10 @@ void drawIntoFile(Options options)
   }
   const ArrayInfo array = chooseArray(options, file);
   checkWritable(options.Output);
+  if (Video::IsOne(options.Output))
+  {
+    Video::CheckProgram();
+  }
   if (!options.Statistics.empty())
   {
     checkWritable(options.Statistics);
@@ -151,10 +178,18 @@ void drawIntoFile(Options options)
 
   const render::Run run{ options, file, *picture, array, readTime.count(),
     options.Log && !logAsked };
-  const std::string statistics = statisticsJson(run); // of the first picture of a turntable
+  // Of the first picture of a turntable, and of the last one of a time series.
+  const std::string statistics = statisticsJson(run);
+  std::ostringstream report;
+  printReport(report, run);
   if (options.Turntable > 0)
   {
     writeTurntable(options, *picture);
+  }
+  else if (options.IsSeries())
+  {
+    amr = nullptr;
+    writeTimeSeries(options, *picture, array.Name);
   }
   else
   {
@@ -166,7 +201,7 @@ void drawIntoFile(Options options)
   }
   if (!options.Quiet)
   {
-    printReport(std::cout, run);
+    std::cout << report.str();
   }
 }
 

@@ -7,6 +7,7 @@
 #include "Output.h"
 #include "ParseValues.h"
 #include "Scene.h"
+#include "Video.h"
 
 #include "vtkExaBricksFirstPicture.h"
 #include "vtkExaBricksVolumeMapper.h"
@@ -29,12 +30,16 @@ namespace
 {
 
 const char* const Description =
-  "Draws an AMR data set as a volume, by active brick regions on a Vulkan device, into a PNG.\n"
+  "Draws AMR data sets as volumes, by active brick regions on a Vulkan device, into pictures.\n"
   "All that is not asked for is taken from the data: array, range, opacity and camera.\n"
   "\n"
   "INPUT is one of\n"
   "  a .vthb or .vth file (VTK), an AMReX plotfile (its folder), an Enzo .hierarchy file,\n"
-  "  a FLASH .hdf5 file, or a .vtkhdf file (where VTK can read AMR from it)";
+  "  a FLASH .hdf5 file, or a .vtkhdf file (where VTK can read AMR from it).\n"
+  "Several are a time series. What is taken from the data is then that of the last one, for all.\n"
+  "\n"
+  "OUTPUT is a .png or .jpg, or, of a time series or a turntable, a video: .mp4, .mkv, .webm\n"
+  "(by the program ffmpeg); several pictures are numbered, OUTPUT-0000.png and on.";
 
 const char* const Footer =
   "Values in --range and --opacity are those of the array, with --log too.\n"
@@ -51,6 +56,8 @@ const char* const Footer =
   "      --opacity 3.5:0,4:0.2,4.5:0,9:0,11:0.5 --opacity-unit 0.01\n"
   "  Six decades of density, coarse levels only:\n"
   "    exabricks-render DD0010.hierarchy gas.png -a Density --log --levels 4\n"
+  "  A film of a run:\n"
+  "    exabricks-render plt00000 plt00100 plt00200 film.mp4 -a magvort --fps 10\n"
   "  A measurement: median of 20 frames, all numbers in a file:\n"
   "    exabricks-render data.vthb out.png --frames 20 --stats out.json --device llvmpipe\n"
   "\n"
@@ -86,14 +93,16 @@ CLI::Validator positiveNumber()
 // The options as typed, where a value has to be looked at after CLI11 is through.
 struct Texts
 {
+  std::vector<std::string> Files;
   std::string Size, Position, Focal, Up, Background, Component, Opacity, Iso;
   std::vector<double> Range;
+  std::vector<std::string> Slice;
 };
 
 void addOptions(CLI::App& app, Options& o, Texts& texts)
 {
-  app.add_option("input", o.Input, "AMR data set to draw")->type_name("INPUT");
-  app.add_option("output", o.Output, "File to write: .png or .jpg")->type_name("OUTPUT.png");
+  app.add_option("files", texts.Files, "What to draw, and the file to write")
+    ->type_name("INPUT... OUTPUT");
   app
     .add_option(
       "--scene", o.Scene, "Take what is not asked for from a file that --stats or the viewer wrote")
@@ -105,11 +114,12 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->trigger_on_parse();
   app.add_option("--stats", o.Statistics, "Write all numbers of the run to this file")
     ->type_name("FILE.json");
-  app
-    .add_option("--turntable", o.Turntable,
-      "Draw N pictures of one turn about the upward axis, OUTPUT-0000.png and on")
+  app.add_option("--turntable", o.Turntable, "Draw N pictures of one turn about the upward axis")
     ->type_name("N")
     ->check(CLI::Range(2, 10000));
+  app.add_option("--fps", o.FramesPerSecond, "Pictures of a video in a second [25]")
+    ->type_name("N")
+    ->check(numberBetween(0.1, 240.0));
   app.add_flag("-q,--quiet", o.Quiet, "Print nothing but errors");
 
   const std::string data = "Data";
@@ -187,13 +197,20 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
 
   app
     .add_option("--blend-mode", o.BlendMode,
-      "composite, maximum, minimum, average, additive or isosurface [composite]")
+      "composite, maximum, minimum, average, additive, isosurface or slice [composite]")
     ->type_name("MODE")
-    ->check(
-      CLI::IsMember({ "composite", "maximum", "minimum", "average", "additive", "isosurface" }))
+    ->check(CLI::IsMember(
+      { "composite", "maximum", "minimum", "average", "additive", "isosurface", "slice" }))
     ->group(look);
   app.add_option("--iso", texts.Iso, "Values of iso-surfaces, which --blend-mode isosurface draws")
     ->type_name("V,V,...")
+    ->group(look);
+  app
+    .add_option("--slice", texts.Slice,
+      "A point and the normal of the plane that --blend-mode slice draws, opaque where --opacity "
+      "says nothing")
+    ->type_name("X,Y,Z X,Y,Z")
+    ->expected(2)
     ->group(look);
   app.add_flag("--annotate", o.Annotate, "Draw axes around the data, and a scalar bar")
     ->group(look);
@@ -229,8 +246,39 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(method);
 }
 
+bool hasOutputEnding(const std::string& path)
+{
+  const std::string ending = pictureEnding(path);
+  return ending == ".png" || ending == ".jpg" || Video::IsOne(path);
+}
+
+// The last one is the output's; where a scene names the input, or arrays are to be listed, there
+// may be one alone.
+void takeFiles(const std::vector<std::string>& files, Options& o)
+{
+  if (o.ListArrays)
+  {
+    o.Input = files.empty() ? o.Input : files.front();
+    if (files.size() > 2 || (files.size() == 2 && !hasOutputEnding(files.back())))
+    {
+      throw Failure(ExitCode::BadArguments, "--list-arrays tells of one input: give one alone.");
+    }
+  }
+  else if (files.size() > 1)
+  {
+    o.Inputs.assign(files.begin(), files.end() - 1);
+    o.Input = o.Inputs.back();
+    o.Output = files.back();
+  }
+  else if (files.size() == 1)
+  {
+    (o.Input.empty() ? o.Input : o.Output) = files.front();
+  }
+}
+
 void takeTexts(const Texts& texts, Options& o)
 {
+  takeFiles(texts.Files, o);
   auto vector = [](const char* option, const std::string& text, std::optional<Vector3>& v)
   {
     if (!text.empty())
@@ -261,6 +309,11 @@ void takeTexts(const Texts& texts, Options& o)
   if (!texts.Iso.empty())
   {
     o.IsoValues = parseNumbers("--iso", texts.Iso);
+  }
+  if (!texts.Slice.empty())
+  {
+    o.Slice =
+      Plane{ parseVector("--slice", texts.Slice[0]), parseVector("--slice", texts.Slice[1]) };
   }
   if (!texts.Range.empty())
   {
@@ -293,7 +346,7 @@ std::vector<std::string> colorMaps()
   return names;
 }
 
-void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
+void checkTogether(const Options& o, bool viewGiven, bool stepGiven, bool fpsGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
   if (o.Input.empty())
@@ -307,6 +360,16 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
         ? "--blend-mode isosurface draws the values that --iso names: give some."
         : "--iso names iso-surfaces: give --blend-mode isosurface with it.");
   }
+  if ((o.BlendMode == "slice") != o.Slice.has_value())
+  {
+    refuse(o.Slice ? "--slice names a plane: give --blend-mode slice with it."
+                   : "--blend-mode slice draws the plane that --slice names: give one, such as "
+                     "--slice 0,0,0.5 0,0,1.");
+  }
+  if (o.Slice && o.Slice->Normal == Vector3{ { 0.0, 0.0, 0.0 } })
+  {
+    refuse("--slice takes a point and a normal that is not 0,0,0, such as --slice 0,0,0.5 0,0,1.");
+  }
   if (o.Log &&
     std::any_of(o.IsoValues.begin(), o.IsoValues.end(), [](double v) { return v <= 0.0; }))
   {
@@ -318,15 +381,29 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven)
     {
       refuse("No output was named: give a file after the input, such as picture.png.");
     }
-    if (const std::string ending = pictureEnding(o.Output); ending != ".png" && ending != ".jpg")
+    if (!hasOutputEnding(o.Output) || (Video::IsOne(o.Output) && !o.IsSeries()))
     {
-      refuse("The output has to end in .png, .jpg or .jpeg, found '" + o.Output + "'.");
+      refuse(Video::IsOne(o.Output)
+          ? "A video is of several pictures: give several inputs, or --turntable; or an output "
+            "that "
+            "ends in .png."
+          : "The output has to end in .png, .jpg or .jpeg, or of several pictures in .mp4, .mkv or "
+            ".webm, found '" +
+            o.Output + "'.");
+    }
+    if (o.Turntable > 0 && o.Inputs.size() > 1)
+    {
+      refuse("--turntable turns one data set: give one input, or leave --turntable out.");
     }
   }
   if (o.Colors.empty() && !vtkExaBricksFirstPicture::HasColorMap(o.ColorMap))
   {
     refuse("--color-map takes one of " + vtkExaBricksFirstPicture::GetColorMapNames() + ", not '" +
       o.ColorMap + "'." + didYouMean(o.ColorMap, colorMaps()));
+  }
+  if (fpsGiven && !Video::IsOne(o.Output))
+  {
+    refuse("--fps is of a video: give an output that ends in .mp4, .mkv or .webm.");
   }
   if (viewGiven && o.Position)
   {
@@ -377,12 +454,6 @@ std::string findScene(int argc, char** argv)
 void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
 {
   const auto asked = [&](const char* option) { return app.count(option) > 0; };
-  // The scene names the input: what stands alone is the output.
-  if (app.count("input") == 1 && app.count("output") == 0 && !scene.Input.empty() && !o.ListArrays)
-  {
-    o.Output = o.Input;
-    o.Input = scene.Input;
-  }
   if (asked("--view"))
   {
     const auto keepAsked = [&](const char* option, std::optional<Vector3>& of)
@@ -435,6 +506,10 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
   {
     o.IsoValues.clear();
   }
+  if (asked("--blend-mode") && o.BlendMode != "slice" && !asked("--slice"))
+  {
+    o.Slice.reset();
+  }
 }
 
 }
@@ -478,7 +553,8 @@ bool parseOptions(int argc, char** argv, Options& options)
   {
     dropFromScene(app, before, options);
   }
-  checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0);
+  checkTogether(
+    options, app.count("--view") > 0, app.count("--step-scale") > 0, app.count("--fps") > 0);
   return true;
 }
 

@@ -34,12 +34,14 @@ struct Plane
 
 struct Options
 {
-  std::string Scene; // from which all was taken that was not asked for; empty: none
-  std::string Input;
-  std::string Output;     // PNG or JPEG; of a turntable, a number comes before its ending
-  std::string Statistics; // JSON; empty: none
+  std::string Scene;               // from which all was taken that was not asked for; empty: none
+  std::vector<std::string> Inputs; // of a time series, in its order
+  std::string Input;               // the last one, by which all is chosen that is not asked for
+  std::string Output;              // a picture; of several, numbers come before its ending; a video
+  std::string Statistics;          // JSON; empty: none
   bool ListArrays = false;
-  int Turntable = 0; // pictures of one turn; 0: one picture
+  int Turntable = 0;           // pictures of one turn; 0: one picture
+  double FramesPerSecond = 25; // of a video
   bool Annotate = false;
   bool Quiet = false;
 
@@ -67,6 +69,7 @@ struct Options
 
   std::string BlendMode = "composite";
   std::vector<double> IsoValues;                // in units of the array
+  std::optional<Plane> Slice;                   // of blend mode slice
   std::optional<std::array<int, 2>> LevelRange; // that are drawn
   std::vector<Plane> ClippingPlanes;
   std::optional<std::array<double, 6>> Cropping; // lower and upper planes of x, y, z
@@ -78,6 +81,9 @@ struct Options
   double StepScale = 0.0; // 0: the mapper's own
   double ErrorTolerance = 0.0;
   int Frames = 0; // timed after the first
+
+  // Whether several pictures are drawn.
+  bool IsSeries() const { return this->Turntable > 0 || this->Inputs.size() > 1; }
 };
 
 // Reads the command line. False: there is nothing left to do (--help or --version was answered).

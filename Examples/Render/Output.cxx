@@ -36,14 +36,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::string temporaryBeside(const std::string& path)
-{
-  const fs::path target(path);
-  const std::string name =
-    "." + target.filename().string() + ".part" + std::to_string(static_cast<long>(getpid()));
-  return (target.parent_path() / name).string();
-}
-
 // Gives one file the owner and the permissions of another, if there is that one. Somebody else's
 // owner stays what it is where this user may not set it.
 void takeOwnerAndPermissions(const std::string& from, const std::string& to)
@@ -63,11 +55,23 @@ void takeOwnerAndPermissions(const std::string& from, const std::string& to)
 #endif
 }
 
+// To the name of the file that it replaces.
+void rename(const std::string& path, const std::string& temporary, const std::string& target)
+{
+  std::error_code error, ignored;
+  fs::rename(temporary, target, error);
+  if (error)
+  {
+    fs::remove(temporary, ignored);
+    refuseOutput(path, error.message() + ".");
+  }
+}
+
 void replaceFile(
   const std::string& path, const std::string& target, const char* bytes, std::size_t size)
 {
   const std::string temporary = temporaryBeside(target);
-  std::error_code error, ignored;
+  std::error_code ignored;
   errno = 0;
   {
     std::ofstream file(temporary, std::ios::binary);
@@ -85,12 +89,7 @@ void replaceFile(
       refuseOutput(path, why + ".");
     }
   }
-  fs::rename(temporary, target, error);
-  if (error)
-  {
-    fs::remove(temporary, ignored);
-    refuseOutput(path, error.message() + ".");
-  }
+  rename(path, temporary, target);
 }
 
 #ifdef _WIN32
@@ -147,6 +146,21 @@ void writeWhole(const std::string& path, const char* bytes, std::size_t size)
   }
 }
 
+}
+
+std::string temporaryBeside(const std::string& path)
+{
+  const fs::path target(path);
+  const std::string name =
+    "." + target.filename().string() + ".part" + std::to_string(static_cast<long>(getpid()));
+  return (target.parent_path() / name).string();
+}
+
+void replaceBy(const std::string& path, const std::string& finished)
+{
+  const Destination destination = findDestination(path);
+  takeOwnerAndPermissions(destination.Target, finished);
+  rename(path, finished, destination.Target);
 }
 
 void checkWritable(const std::string& path)

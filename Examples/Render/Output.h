@@ -17,6 +17,10 @@ namespace render
 // Before the long work: could a file be written there? Opens nothing that is no regular file.
 void checkWritable(const std::string& path);
 
+// The name of a file as long as it is not finished, and what takes its place then.
+std::string temporaryBeside(const std::string& path);
+void replaceBy(const std::string& path, const std::string& finished);
+
 void writeText(const std::string& path, const std::string& text);
 
 // Of a picture's file: .png, .jpg (of .jpeg too), or another one in small letters.

@@ -167,12 +167,20 @@ void Picture::SetUpBlending()
       values->SetValue(static_cast<int>(i), this->Asked.Log ? std::log10(value) : value);
     }
   }
+  else if (mode == "slice")
+  {
+    mapper->SetBlendModeToSlice();
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(this->Asked.Slice->Origin.data());
+    plane->SetNormal(this->Asked.Slice->Normal.data());
+    this->Volume->GetProperty()->SetSliceFunction(plane);
+  }
   else if (mode != "composite")
   {
     throw Failure(ExitCode::BadArguments,
       "'" + mode +
         "' is no blend mode: choose of composite, maximum, minimum, average, additive, "
-        "isosurface.");
+        "isosurface, slice.");
   }
 }
 
@@ -198,11 +206,10 @@ void Picture::Prepare()
   this->OpacityUnit = this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit
                                                     : this->Chosen->GetScalarOpacityUnitDistance();
   this->ChooseOpacity();
-  // What shows with opacities of one's own is not known.
   double bounds[6];
   data->GetBounds(bounds);
   double shown[6];
-  std::copy_n(this->Asked.Opacity.empty() ? this->Chosen->GetShownBounds() : bounds, 6, shown);
+  std::copy_n(this->ShowsAsChosen() ? this->Chosen->GetShownBounds() : bounds, 6, shown);
   if (this->Asked.Range)
   {
     for (int i = 0; i < 2; ++i)
@@ -216,10 +223,17 @@ void Picture::Prepare()
   this->Ren->ResetCameraClippingRange(bounds);
 }
 
+// What shows with opacities of one's own is not known, and of a slice all does.
+bool Picture::ShowsAsChosen() const { return this->Asked.Opacity.empty() && !this->Asked.Slice; }
+
 void Picture::ChooseOpacity()
 {
   this->Opacity = this->Asked.Opacity;
-  if (this->Opacity.empty())
+  if (this->Opacity.empty() && this->Asked.Slice)
+  {
+    this->Opacity = { { this->ColorRange[0], 1.0 }, { this->ColorRange[1], 1.0 } };
+  }
+  else if (this->Opacity.empty())
   {
     vtkPiecewiseFunction* chosen = this->Chosen->GetScalarOpacity();
     for (int i = 0; i < chosen->GetSize(); ++i)
@@ -267,12 +281,18 @@ void Picture::Annotate(const std::string& title)
   double bounds[6];
   this->Data()->GetBounds(bounds);
   // Bounds of all data may reach far beyond the picture.
-  if (this->Asked.Opacity.empty())
+  if (this->ShowsAsChosen())
   {
     this->Chosen->GetShownBounds(bounds);
   }
   annotate(this->Ren, bounds, this->Volume->GetProperty()->GetRGBTransferFunction(), title);
   this->Ren->ResetCameraClippingRange();
+}
+
+void Picture::DrawOther(vtkOverlappingAMR* amr)
+{
+  this->VolumeMapper->SetInputDataObject(amr);
+  this->DrawFrame();
 }
 
 void Picture::Turn(double degrees)

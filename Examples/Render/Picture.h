@@ -40,6 +40,9 @@ public:
   // Draws once, then as often as is to be timed.
   void Draw();
 
+  // Draws another data set with the same array, by the same camera, colours and opacities.
+  void DrawOther(vtkOverlappingAMR* amr);
+
   // Draws after the camera has gone around the upward axis by so many degrees.
   void Turn(double degrees);
 
@@ -66,6 +69,7 @@ public:
 private:
   void SetUpMapper(const std::string& array, int components);
   void SetUpBlending();
+  bool ShowsAsChosen() const;
   void ChooseOpacity();
   void ApplyProperty();
   double DrawFrame();

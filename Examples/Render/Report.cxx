@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "Picture.h"
+#include "Video.h"
 
 #include "vtkCamera.h"
 #include "vtkExaBricksData.h"
@@ -171,6 +172,12 @@ Json viewJson(const Run& run)
   Json view = { { "blend_mode", run.Asked.BlendMode }, { "iso_values", values },
     { "levels", { mapper->GetLevelRange()[0], mapper->GetLevelRange()[1] } },
     { "clipping_planes", planes }, { "cropping", nullptr }, { "shaded", run.Asked.Shaded } };
+  view["slice"] = nullptr;
+  if (run.Asked.Slice)
+  {
+    view["slice"] = { { "origin", run.Asked.Slice->Origin },
+      { "normal", run.Asked.Slice->Normal } };
+  }
   if (run.Asked.Cropping)
   {
     view["cropping"] = *run.Asked.Cropping;
@@ -280,9 +287,12 @@ void printReport(std::ostream& out, const Run& run)
   printNotes(out, run);
   startLine(out, "Picture") << run.Asked.Output << ", " << run.Asked.Size[0] << " x "
                             << run.Asked.Size[1];
-  if (run.Asked.Turntable > 0)
+  if (run.Asked.IsSeries())
   {
-    out << ", " << run.Asked.Turntable << " of them, numbered";
+    out << ", "
+        << (run.Asked.Turntable > 0 ? static_cast<std::size_t>(run.Asked.Turntable)
+                                    : run.Asked.Inputs.size())
+        << (Video::IsOne(run.Asked.Output) ? " of them" : " of them, numbered");
   }
   out << '\n';
 }
@@ -299,6 +309,10 @@ std::string statisticsJson(const Run& run)
   json["input"] = { { "file", run.Asked.Input }, { "reader", run.File.ReaderName() },
     { "array", run.Array.Name }, { "components", run.Array.Components }, { "component", nullptr },
     { "log10", run.Asked.Log }, { "levels", nullptr }, { "other_arrays", otherArrays(run) } };
+  if (run.Asked.Inputs.size() > 1)
+  {
+    json["input"]["series"] = run.Asked.Inputs;
+  }
   if (run.Asked.Levels > 0)
   {
     json["input"]["levels"] = run.Asked.Levels;

@@ -90,6 +90,12 @@ void readView(const Json& view, Options& o)
   {
     o.IsoValues.push_back(o.Log ? std::pow(10.0, value.get<double>()) : value.get<double>());
   }
+  o.Slice.reset();
+  if (o.BlendMode == "slice")
+  {
+    const Json& plane = view.at("slice");
+    o.Slice = Plane{ plane.at("origin").get<Vector3>(), plane.at("normal").get<Vector3>() };
+  }
   o.LevelRange = view.at("levels").get<std::array<int, 2>>();
   o.ClippingPlanes.clear();
   for (const Json& plane : view.at("clipping_planes"))

@@ -431,6 +431,7 @@ class RenderProgramTest(unittest.TestCase):
             ["--array", "magvort", "--log", "--parallel", "--zoom", "1.5", "--step-scale", "2"],
             ["--blend-mode", "isosurface", "--iso", "1.2,1.8"],
             ["--blend-mode", "maximum", "--error-tolerance", "0.02"],
+            ["--blend-mode", "slice", "--slice", "0.5,0.5,0.9", "0,0.2,1"],
         ):
             with self.subTest(asked), tempfile.TemporaryDirectory() as folder:
                 _, stats = self.draw(*asked)
@@ -482,6 +483,10 @@ class RenderProgramTest(unittest.TestCase):
         self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface")
         self.refused(BAD_ARGUMENTS, ["--blend-mode isosurface"], DATA, self.png, "--iso", "1")
         self.refused(BAD_ARGUMENTS, ["--iso"], DATA, self.png, "--blend-mode", "isosurface", "--iso", "-1", "--log")
+        self.refused(BAD_ARGUMENTS, ["--slice"], DATA, self.png, "--blend-mode", "slice")
+        self.refused(BAD_ARGUMENTS, ["--blend-mode slice"], DATA, self.png, "--slice", "0,0,1", "0,0,1")
+        self.refused(BAD_ARGUMENTS, ["--slice", "normal"], DATA, self.png, "--blend-mode", "slice", "--slice",
+                     "0,0,1", "0,0,0")
 
     def test_turntable(self):
         done = self.run_program(DATA, self.png, "--size", "48x32", "--turntable", "3", "--array", "magvort")
@@ -493,6 +498,87 @@ class RenderProgramTest(unittest.TestCase):
             with open(os.path.join(self.folder.name, name), "rb") as file:
                 pictures.add(file.read())
         self.assertEqual(len(pictures), 3)
+
+    def write_time_steps(self, folder):
+        """Three of them, in which more and more cells have a value that shows."""
+        steps = []
+        for i in range(3):
+            step = os.path.join(folder, "step%d" % i)
+            os.mkdir(step)
+            values = " ".join("1" if cell < 16 * (i + 1) else "0" for cell in range(64))
+            write(step, "block.vti", """<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+                <ImageData WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 4">
+                <CellData><DataArray type="Float32" Name="density" format="ascii">{0}</DataArray></CellData>
+                </Piece></ImageData></VTKFile>""".format(values))
+            steps.append(write(step, "data.vthb", """<VTKFile type="vtkOverlappingAMR" version="1.1"
+                byte_order="LittleEndian"><vtkOverlappingAMR origin="0 0 0" grid_description="XYZ">
+                <Block level="0" spacing="1 1 1"><DataSet index="0" amr_box="0 3 0 3 0 3" file="block.vti"/></Block>
+                </vtkOverlappingAMR></VTKFile>"""))
+        return steps
+
+    def test_time_series(self):
+        """Numbered pictures, colours and opacities of all as they are for the last one."""
+        with tempfile.TemporaryDirectory() as folder:
+            steps = self.write_time_steps(folder)
+            asked = ["--size", "48x32", "--view", "+z", "--stats", os.path.join(folder, "stats.json")]
+            done = self.run_program(*steps, self.png, *asked)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            names = ["picture-%04d.png" % i for i in range(3)]
+            self.assertEqual(sorted(os.listdir(self.folder.name)), names)
+            self.assertIn("3 of them, numbered", done.stdout)
+            with open(os.path.join(folder, "stats.json"), encoding="utf-8") as file:
+                stats = json.load(file)
+            self.assertEqual(stats["input"]["series"], steps)
+            self.assertEqual(stats["input"]["file"], steps[2])
+            pictures = []
+            for name in names:
+                with open(os.path.join(self.folder.name, name), "rb") as file:
+                    pictures.append(file.read())
+            self.assertEqual(len(set(pictures)), 3)
+            # Each is what the last one's scene shows of it.
+            for step, picture in zip(steps, pictures):
+                single = os.path.join(folder, "single.png")
+                done = self.run_program("--scene", os.path.join(folder, "stats.json"), step, single)
+                self.assertEqual(done.returncode, FINE, done.stderr)
+                with open(single, "rb") as file:
+                    self.assertEqual(file.read(), picture)
+
+    def test_time_series_that_does_not_hold_together(self):
+        with tempfile.TemporaryDirectory() as folder:
+            steps = self.write_time_steps(folder)
+            self.refused(BAD_ARGUMENTS, ["--turntable"], *steps, self.png, "--turntable", "3")
+            self.refused(INPUT_UNREADABLE, ["no cell array 'magvort'", "time series"], steps[0], DATA, self.png,
+                         "--array", "magvort", "--size", "48x32")
+            self.refused(BAD_ARGUMENTS, ["--list-arrays", "one"], *steps, "--list-arrays")
+
+    def test_video(self):
+        """Pictures go to ffmpeg, row by row; here to a script in its place, which keeps what it gets."""
+        with tempfile.TemporaryDirectory() as folder:
+            steps = self.write_time_steps(folder)
+            video = os.path.join(self.folder.name, "film.MP4")
+            script = write(folder, "ffmpeg", """#!/bin/sh
+                echo "$@" > {0}/arguments
+                for part; do true; done
+                cat > "$part"
+                test ! -e {0}/fails""".format(folder))
+            os.chmod(script, 0o755)
+            there = dict(os.environ, PATH=folder + ":" + os.environ["PATH"])
+            done = self.run_program(*steps, video, "--size", "48x32", "--fps", "5", env=there)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            self.assertEqual(os.listdir(self.folder.name), ["film.MP4"])
+            self.assertEqual(os.path.getsize(video), 3 * 48 * 32 * 3)
+            with open(os.path.join(folder, "arguments"), encoding="utf-8") as file:
+                self.assertIn("-video_size 48x32 -framerate 5", file.read())
+            done = self.run_program(DATA, video, "--turntable", "4", "--size", "48x32", "--levels", "1", env=there)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            self.assertEqual(os.path.getsize(video), 4 * 48 * 32 * 3)
+            os.remove(video)
+            write(folder, "fails", "")
+            self.refused(OUTPUT_UNWRITABLE, ["ffmpeg"], *steps, video, "--size", "48x32", env=there)
+            without = dict(os.environ, PATH=os.path.join(folder, "nowhere"))
+            self.refused(OUTPUT_UNWRITABLE, ["ffmpeg", "Install"], *steps, video, env=without)
+            self.refused(BAD_ARGUMENTS, ["several pictures"], DATA, video, env=there)
+            self.refused(BAD_ARGUMENTS, ["--fps"], DATA, self.png, "--fps", "5")
 
     def test_other_endings(self):
         for name, magic in (("a.PNG", b"\x89PNG"), ("a.jpg", b"\xff\xd8"), ("a.JPEG", b"\xff\xd8")):

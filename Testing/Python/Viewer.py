@@ -109,17 +109,17 @@ assert not scene.log and scene.amr is read_once
 press("m")
 assert scene.color_map == "plasma"
 assert scene.volume_property.GetRGBTransferFunction().GetRange() == scene.color_range
-for mode in ("maximum", "minimum", "average", "additive", "isosurface", "composite"):
+for mode in ("maximum", "minimum", "average", "additive", "isosurface", "slice", "composite"):
     press("b")
     assert scene.to_dict()["view"]["blend_mode"] == mode
-    if mode in ("maximum", "isosurface", "composite"):  # others are dim where little is opaque
+    assert viewer.slice_widget.GetEnabled() == (mode == "slice")
+    if mode in ("maximum", "isosurface", "slice", "composite"):  # others are dim where little is opaque
         assert drawn(volume_part()) > 0.01, mode
-# A blend mode that the viewer does not offer, which the mapper may have: the next is the first one.
-scene.mapper.SetBlendModeToSlice()
-scene.volume_property.SetSliceFunction(viewer.plane)
-viewer.render()
-press("b")
-assert scene.blend_mode == "composite", viewer.said
+    if mode == "slice":  # its plane is moved by the widget, and kept in a scene
+        viewer.slice_widget.GetRepresentation().SetNormal(1.0, 0.0, 0.0)
+        viewer.slice_widget.InvokeEvent("InteractionEvent")
+        assert scene.slice[1] == (1.0, 0.0, 0.0), scene.slice
+        assert scene.to_dict()["view"]["slice"]["normal"] == [1.0, 0.0, 0.0]
 press("r")
 viewer.render()
 press("v")
@@ -127,6 +127,8 @@ assert "in cell" in viewer.said and "level" in viewer.said, viewer.said
 press("i")
 assert scene.to_dict()["view"]["blend_mode"] == "isosurface" and scene.to_dict()["view"]["iso_values"]
 press("b")
+press("b")
+assert scene.blend_mode == "composite"
 press("plus")
 assert scene.mapper.GetStepScale() == 2.0
 press("minus")
@@ -141,6 +143,17 @@ assert scene.mapper.GetLevelRange()[1] > 2
 whole = drawn(volume_part())
 press("k")
 assert scene.mapper.GetClippingPlanes().GetNumberOfItems() == 1
+# What a scene is cut by is there to be moved in a viewer that opens it.
+press("x")
+cut = exabricks.VolumeScene(DATA, "magvort", size=SIZE)
+cut.apply(scene.to_dict())
+other = viewing.Viewer(cut)
+other.interactor.Initialize()
+other.render()
+assert other.plane_widget.GetEnabled() and other.box_widget.GetEnabled() and not other.slice_widget.GetEnabled()
+assert other.plane_widget.GetRepresentation().GetNormal() == scene.mapper.GetClippingPlanes().GetItemAsObject(0).GetNormal()
+other.close()
+press("x")
 press("k")
 assert scene.mapper.GetClippingPlanes().GetNumberOfItems() == 0
 press("x")

@@ -26,6 +26,7 @@ BLEND_MODES = {
     "average": vtkExaBricksVolumeMapper.AVERAGE_INTENSITY_BLEND,
     "additive": vtkExaBricksVolumeMapper.ADDITIVE_BLEND,
     "isosurface": vtkExaBricksVolumeMapper.ISOSURFACE_BLEND,
+    "slice": vtkExaBricksVolumeMapper.SLICE_BLEND,
 }
 OF_THE_DATA = ("input", "picture", "method")  # parts of a scene that mean something to every program
 
@@ -246,8 +247,8 @@ class VolumeScene:
 
     @property
     def blend_mode(self):
-        """A name in BLEND_MODES; None where the mapper has another one, as for slices."""
-        return next((name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode()), None)
+        """A name in BLEND_MODES."""
+        return next(name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode())
 
     @property
     def color_range(self):
@@ -311,15 +312,13 @@ class VolumeScene:
         """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data.
 
         Of the mapper: reconstruction, steps, error tolerance, blend mode, levels, clipping planes, and cropping planes; of
-        the property: colors, opacities, their unit distance, iso-values, and whether it is shaded. Their other settings
+        the property: colors, opacities, their unit distance, iso-values, the plane of a slice, and whether it is shaded. Their other settings
         are not kept.
         """
         camera = self.camera
         planes = _items(self.mapper.GetClippingPlanes())
         contours = self.volume_property.GetIsoSurfaceValues()
         mode = self.blend_mode
-        if mode is None:
-            raise ValueError(f"expected a blend mode of {', '.join(BLEND_MODES)} to keep in a scene, found another one")
         return {
             "input": {"file": self.path, "array": self.array, "component": self.component, "log10": self.log,
                       "levels": self.levels},
@@ -341,6 +340,7 @@ class VolumeScene:
                 "blend_mode": mode,
                 "iso_values": [contours.GetValue(i) for i in range(contours.GetNumberOfContours())]
                               if mode == "isosurface" else [],
+                "slice": dict(zip(("origin", "normal"), map(list, self.slice))) if mode == "slice" else None,
                 "levels": list(self.mapper.GetLevelRange()),
                 "clipping_planes": [{"origin": list(plane.GetOrigin()), "normal": list(plane.GetNormal())}
                                     for plane in planes],
@@ -364,6 +364,23 @@ class VolumeScene:
         contours.SetNumberOfContours(len(self.iso_values))
         for number, value in enumerate(self.iso_values):
             contours.SetValue(number, value)
+
+    @property
+    def slice(self):
+        """Origin and normal of the plane that blend mode slice shows; at first through the middle of what shows."""
+        plane = self.volume_property.GetSliceFunction()
+        if not isinstance(plane, vtkPlane):
+            bounds = self.first.GetShownBounds()
+            self.set_slice([0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)], (0.0, 0.0, 1.0))
+            plane = self.volume_property.GetSliceFunction()
+        return plane.GetOrigin(), plane.GetNormal()
+
+    def set_slice(self, origin, normal):
+        """The plane that blend mode slice shows."""
+        plane = vtkPlane()
+        plane.SetOrigin(origin)
+        plane.SetNormal(normal)
+        self.volume_property.SetSliceFunction(plane)
 
     def save(self, path):
         """Writes the scene, as JSON."""
@@ -425,6 +442,8 @@ class VolumeScene:
         self.mapper.SetBlendMode(BLEND_MODES[view.get("blend_mode", "composite")])
         if with_values:
             self.set_iso_values(view.get("iso_values", []))
+        if view.get("slice"):
+            self.set_slice(view["slice"]["origin"], view["slice"]["normal"])
         if "levels" in view:
             self.mapper.SetLevelRange(*view["levels"])
         self.mapper.RemoveAllClippingPlanes()

@@ -40,7 +40,7 @@ KEYS = (
     ("n", "the next array"),
     ("g", "logarithms, or the values themselves"),
     ("m", "the next color map"),
-    ("b", "the next blend mode"),
+    ("b", "the next blend mode; a slice has a plane to move"),
     ("i", "iso-surface of the value under the pointer"),
     ("plus", "longer steps: faster"),
     ("minus", "shorter steps: finer"),
@@ -101,6 +101,7 @@ class Viewer:
         _take_keys_from(self.editor.style)
         self._make_cuts()
         self._follow_data()
+        self._follow_cuts()
         self._layout()
 
     # What is beside the volume
@@ -111,7 +112,7 @@ class Viewer:
 
     def close(self):
         """Leaves the scene as it was before, but for what was set of it."""
-        for widget in (self.plane_widget, self.box_widget, self.axes):
+        for widget in (self.plane_widget, self.slice_widget, self.box_widget, self.axes):
             widget.SetEnabled(0)
         for prop in (self.outline_actor, self.bar, self.help, self.status):
             self.scene.renderer.RemoveViewProp(prop)
@@ -175,19 +176,30 @@ class Viewer:
         self.window.SetDesiredUpdateRate(self.interactor.GetStillUpdateRate())
         self.render()
 
-    def _make_cuts(self):
-        self.plane = vtkPlane()
+    def _make_plane_widget(self, moved):
         representation = vtkImplicitPlaneRepresentation()
         representation.SetPlaceFactor(1.0)
         representation.OutlineTranslationOff()
         representation.ScaleEnabledOff()
         representation.DrawPlaneOff()
-        self.plane_widget = vtkImplicitPlaneWidget2()
-        self.plane_widget.SetInteractor(self.interactor)
-        self.plane_widget.SetRepresentation(representation)
-        self.plane_widget.SetDefaultRenderer(self.scene.renderer)
-        self.plane_widget.KeyPressActivationOff()
-        self.plane_widget.AddObserver("InteractionEvent", self._plane_moved)
+        widget = vtkImplicitPlaneWidget2()
+        widget.SetInteractor(self.interactor)
+        widget.SetRepresentation(representation)
+        widget.SetDefaultRenderer(self.scene.renderer)
+        widget.KeyPressActivationOff()
+        widget.AddObserver("InteractionEvent", moved)
+        return widget
+
+    def _place_plane_widget(self, widget, origin, normal):
+        representation = widget.GetRepresentation()
+        representation.PlaceWidget(self.scene.first.GetShownBounds())
+        representation.SetOrigin(*origin)
+        representation.SetNormal(*normal)
+
+    def _make_cuts(self):
+        self.plane = vtkPlane()
+        self.plane_widget = self._make_plane_widget(self._plane_moved)
+        self.slice_widget = self._make_plane_widget(self._slice_moved)
         box = vtkBoxRepresentation()
         box.SetPlaceFactor(1.0)
         self.box_widget = vtkBoxWidget2()
@@ -201,9 +213,31 @@ class Viewer:
     def _plane_moved(self, *_):
         self.plane_widget.GetRepresentation().GetPlane(self.plane)
 
+    def _slice_moved(self, *_):
+        representation = self.slice_widget.GetRepresentation()
+        self.scene.set_slice(representation.GetOrigin(), representation.GetNormal())
+
     def _box_moved(self, *_):
         bounds = self.box_widget.GetRepresentation().GetBounds()
         self.scene.mapper.SetCroppingRegionPlanes(*bounds)
+
+    def _follow_cuts(self):
+        """Shows what a scene cuts the volume by, to be moved."""
+        planes = self.scene.mapper.GetClippingPlanes()
+        if planes and planes.GetNumberOfItems() == 1:
+            self.plane = planes.GetItemAsObject(0)
+            self._place_plane_widget(self.plane_widget, self.plane.GetOrigin(), self.plane.GetNormal())
+            self.plane_widget.SetEnabled(True)
+        if self.scene.mapper.GetCropping():
+            self.box_widget.GetRepresentation().PlaceWidget(self.scene.mapper.GetCroppingRegionPlanes())
+            self.box_widget.SetEnabled(True)
+        self._follow_slice()
+
+    def _follow_slice(self):
+        on = self.scene.blend_mode == "slice"
+        if on:
+            self._place_plane_widget(self.slice_widget, *self.scene.slice)
+        self.slice_widget.SetEnabled(on)
 
     # What follows the data
 
@@ -269,7 +303,7 @@ class Viewer:
         """Draws, with the line of what is shown."""
         mapper = self.scene.mapper
         step = f", step {self.step + 1} of {len(self.files)}" if len(self.files) > 1 else ""
-        blend = self.scene.blend_mode or "another blend mode"
+        blend = self.scene.blend_mode
         self.status.SetInput(
             f"{self._title()}{step}, {blend}, step scale {mapper.GetStepScale():g}"
             + (f", levels 0 to {mapper.GetLevelRange()[1]}" if mapper.GetLevelRange()[1] < 1000 else "")
@@ -312,6 +346,7 @@ class Viewer:
             low, high = self.scene.color_range
             self.scene.set_iso_values([0.5 * (low + high)])
         self.scene.mapper.SetBlendMode(mode)
+        self._follow_slice()
         self.say("")
 
     def _pick(self):
@@ -327,6 +362,7 @@ class Viewer:
         self.scene.set_iso_values([picker.GetValue()])
         self.scene.volume_property.ShadeOn()
         self.scene.mapper.SetBlendModeToIsoSurface()
+        self._follow_slice()
         self.say(f"iso-surface of {picker.GetValue():g}")
 
     def _key_v(self):
@@ -362,10 +398,8 @@ class Viewer:
         on = not self.plane_widget.GetEnabled()
         if on:
             bounds = self.scene.first.GetShownBounds()
-            representation = self.plane_widget.GetRepresentation()
-            representation.PlaceWidget(bounds)
-            representation.SetOrigin(*(0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)))
-            representation.SetNormal(-1.0, 1.0, 0.0)
+            middle = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+            self._place_plane_widget(self.plane_widget, middle, (-1.0, 1.0, 0.0))
             self._plane_moved()
             mapper.AddClippingPlane(self.plane)
         self.plane_widget.SetEnabled(on)
