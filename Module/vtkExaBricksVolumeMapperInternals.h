@@ -87,6 +87,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   void MeasurePasses();
   exabricks::Coarseness ChooseCoarseness(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height);
+  std::vector<double> FindCellsInPixels(const exabricks::View& view, const glm::dvec3& size) const;
   exabricks::View MakeCoarseView(vtkRenderer* ren, vtkVolume* vol,
     const exabricks::BrickedVolume& bricked, int width, int height) const;
 

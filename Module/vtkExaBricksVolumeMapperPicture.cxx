@@ -7,6 +7,7 @@
 #include "Adapters/LightingInput.h"
 #include "Adapters/OpenGLFramebuffer.h"
 #include "Adapters/ViewInput.h"
+#include "Core/CellsInPicture.h"
 #include "Core/Stopwatch.h"
 #include "Vulkan/JointPicture.h"
 
@@ -297,7 +298,7 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
   }
   const double seconds = vol->GetAllocatedRenderTime();
   const double pixels = static_cast<double>(width) * height;
-  const exabricks::InteractiveSampling::Limits limits{ this->Self->MinimumImageSampleDistance,
+  exabricks::InteractiveSampling::Limits limits{ this->Self->MinimumImageSampleDistance,
     this->Self->MaximumImageSampleDistance };
   if (this->Self->GetMTime() > this->InteractiveTime)
   {
@@ -317,7 +318,31 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
       this->InteractiveTime = this->Self->GetMTime();
     }
   }
+  if (this->Interactive.knows() && !(this->Self->ErrorTolerance > 0.0))
+  {
+    // Levels that are to be left out are made while the picture is drawn without.
+    limits.cells =
+      this->FindCellsInPixels(this->MakeView(ren, vol, bricked, width, height), sizeOf(bricked));
+    const int wanted = this->Interactive.choose(seconds, pixels, limits).levelsLeftOut;
+    const int ready = wanted > 0 ? this->Renderer.makeCoarserAhead(wanted) : 0;
+    limits.cells.resize(
+      std::min(limits.cells.size(), 1 + static_cast<std::size_t>(std::min(wanted, ready))));
+  }
   return this->Interactive.choose(seconds, pixels, limits);
+}
+
+// [levels left out] of the largest of the finest cells in a picture, pixels along a side; infinite
+// where the eye is within the bounds.
+std::vector<double> vtkExaBricksVolumeMapper::vtkInternals::FindCellsInPixels(
+  const exabricks::View& view, const glm::dvec3& size) const
+{
+  std::vector<double> cells = this->Renderer.finestCells();
+  const double halfCell = cells.size() > 1 ? exabricks::findLargestHalfCell(view, size) : 0.0;
+  for (double& cell : cells)
+  {
+    cell *= halfCell;
+  }
+  return cells;
 }
 
 // A view of so many pixels with the rays and steps that were chosen.
@@ -328,6 +353,10 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeCoarseView(vtkRender
   exabricks::View view = this->MakeView(ren, vol, bricked, exabricks::thinnedSize(width, distance),
     exabricks::thinnedSize(height, distance));
   view.quality.stepGrowth = this->Coarseness.stepGrowth;
+  if (this->Coarseness.levelsLeftOut > 0)
+  {
+    view.quality.levelsLeftOut = this->Coarseness.levelsLeftOut;
+  }
   view.quality.keepsSampling = this->AdjustsSampleDistances(ren);
   return view;
 }

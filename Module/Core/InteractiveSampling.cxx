@@ -17,6 +17,9 @@ constexpr double PartOfLast = 0.6;
 constexpr double GreatestGrowth = 4.0; // beyond it nothing of fine structures is left
 double speedOf(double stepGrowth) { return 1.0 + 0.3 * std::log2(stepGrowth); }
 
+// How much faster a picture is without one more level, as long as that was not measured.
+constexpr double SpeedOfLevel = 1.3;
+
 // What is done beside marching leaves this part of the time for it at least.
 constexpr double LeastPartOfMarching = 0.2;
 
@@ -36,20 +39,39 @@ void InteractiveSampling::measured(
     return;
   }
   const double perRay = marching / rays * speedOf(drawn.stepGrowth);
-  this->Other = this->SecondsPerRay ? mean(this->Other, other) : other;
-  this->SecondsPerRay = this->SecondsPerRay ? mean(*this->SecondsPerRay, perRay) : perRay;
+  this->Other = this->knows() ? mean(this->Other, other) : other;
+  const auto level = static_cast<std::size_t>(drawn.levelsLeftOut);
+  this->SecondsPerRay.resize(std::max(this->SecondsPerRay.size(), level + 1));
+  std::optional<double>& known = this->SecondsPerRay[level];
+  known = known ? mean(*known, perRay) : perRay;
 }
 
-Coarseness InteractiveSampling::choose(double seconds, double pixels, const Limits& limits) const
+// Where it was not measured, that of the next number of levels that was.
+double InteractiveSampling::FindSecondsPerRay(int levelsLeftOut) const
+{
+  const int count = static_cast<int>(this->SecondsPerRay.size());
+  for (int off = 0;; ++off)
+  {
+    for (const int level : { levelsLeftOut - off, levelsLeftOut + off })
+    {
+      if (level >= 0 && level < count && this->SecondsPerRay[static_cast<std::size_t>(level)])
+      {
+        return *this->SecondsPerRay[static_cast<std::size_t>(level)] *
+          std::pow(SpeedOfLevel, level - levelsLeftOut);
+      }
+    }
+  }
+}
+
+Coarseness InteractiveSampling::ChooseRays(
+  double seconds, double pixels, const Limits& limits, int levelsLeftOut) const
 {
   const double most = std::max(limits.least, limits.most);
-  if (!this->SecondsPerRay)
-  {
-    return { most, 1.0 };
-  }
   const double allowed = std::max(seconds - this->Other, LeastPartOfMarching * seconds);
-  const double wanted = std::sqrt(pixels * *this->SecondsPerRay / std::max(allowed, 1e-9));
+  const double wanted =
+    std::sqrt(pixels * this->FindSecondsPerRay(levelsLeftOut) / std::max(allowed, 1e-9));
   Coarseness chosen;
+  chosen.levelsLeftOut = levelsLeftOut;
   chosen.imageSampleDistance = std::clamp(wanted, limits.least, most);
   if (wanted > most)
   {
@@ -57,5 +79,22 @@ Coarseness InteractiveSampling::choose(double seconds, double pixels, const Limi
     chosen.stepGrowth = std::min(std::exp2((speed - 1.0) / 0.3), GreatestGrowth);
   }
   return chosen;
+}
+
+Coarseness InteractiveSampling::choose(double seconds, double pixels, const Limits& limits) const
+{
+  if (!this->knows())
+  {
+    return { std::max(limits.least, limits.most), 1.0 };
+  }
+  for (std::size_t level = limits.cells.size(); level-- > 1;)
+  {
+    const Coarseness chosen = this->ChooseRays(seconds, pixels, limits, static_cast<int>(level));
+    if (limits.cells[level] <= chosen.imageSampleDistance)
+    {
+      return chosen;
+    }
+  }
+  return this->ChooseRays(seconds, pixels, limits, 0);
 }
 }

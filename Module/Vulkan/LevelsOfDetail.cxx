@@ -41,6 +41,7 @@ void LevelsOfDetail::setVolume(const Volume& volume)
   {
     return;
   }
+  this->MadeAhead = {};
   for (Level& level : this->Levels)
   {
     level.volume.values.reset(); // of coarser ones, made when they are drawn
@@ -159,6 +160,89 @@ void LevelsOfDetail::Update(
   }
 }
 
+// The first one known is the whole volume; others may have no values yet.
+LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, std::size_t count)
+{
+  for (std::size_t i = 1; i <= count; ++i)
+  {
+    const Ahead::Coarser& finer = known[i - 1];
+    if (i == known.size())
+    {
+      const std::optional<CoarserStructure> coarser = coarsen(*finer.volume.structure);
+      if (!coarser)
+      {
+        break;
+      }
+      const glm::dmat4 fromHalfCells = coarser->fromHalfCells * finer.fromHalfCells;
+      known.push_back({ { coarser->structure, nullptr }, fromHalfCells });
+    }
+    if (!known[i].volume.values)
+    {
+      known[i].volume = coarsenValues(known[i - 1].volume, known[i].volume.structure);
+    }
+  }
+  known.erase(known.begin());
+  return { std::move(known) };
+}
+
+void LevelsOfDetail::makeAhead(int levelsLeftOut)
+{
+  if (this->MadeAhead.valid() || this->empty() || this->CoarsestMade ||
+    levelsLeftOut <= this->ready())
+  {
+    return;
+  }
+  std::vector<Ahead::Coarser> known;
+  for (const Level& level : this->Levels)
+  {
+    known.push_back({ level.volume, level.fromHalfCells });
+  }
+  this->MadeAhead = std::async(std::launch::async, &LevelsOfDetail::Make, std::move(known),
+    static_cast<std::size_t>(levelsLeftOut));
+}
+
+void LevelsOfDetail::TakeAhead()
+{
+  if (!this->MadeAhead.valid() ||
+    this->MadeAhead.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+  {
+    return;
+  }
+  try
+  {
+    const Ahead made = this->MadeAhead.get();
+    for (std::size_t i = 0; i < made.coarser.size(); ++i)
+    {
+      if (i + 1 == this->Levels.size())
+      {
+        this->Levels.emplace_back();
+        this->Levels.back().volume.structure = made.coarser[i].volume.structure;
+        this->Levels.back().fromHalfCells = made.coarser[i].fromHalfCells;
+      }
+      Level& level = this->Levels[i + 1];
+      if (!level.volume.values && level.volume.structure == made.coarser[i].volume.structure)
+      {
+        level.volume = made.coarser[i].volume;
+      }
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->CoarsestMade = true;
+  }
+}
+
+int LevelsOfDetail::ready()
+{
+  this->TakeAhead();
+  std::size_t count = 0;
+  while (count + 1 < this->Levels.size() && this->Levels[count + 1].volume.values)
+  {
+    ++count;
+  }
+  return static_cast<int>(count);
+}
+
 void LevelsOfDetail::invalidateSelection()
 {
   for (Level& level : this->Levels)
@@ -169,6 +253,7 @@ void LevelsOfDetail::invalidateSelection()
 
 void LevelsOfDetail::DropFrom(std::size_t level)
 {
+  this->MadeAhead = {}; // which waits until it is done
   if (level < this->Levels.size())
   {
     this->Levels.erase(this->Levels.begin() + level, this->Levels.end());

@@ -8,6 +8,8 @@
 #include "Core/Coarsening.h"
 #include "Vulkan/DeviceVolume.h"
 
+#include <future>
+
 namespace exabricks
 {
 namespace vulkan
@@ -46,6 +48,11 @@ public:
   Level* findCoarser(
     int levelsLeftOut, const std::shared_ptr<Device>& device, const Selection& selection);
 
+  /// Starts to make the volumes without up to so many levels, on a thread of its own.
+  void makeAhead(int levelsLeftOut);
+  /// How many levels may be left out of what was made so far, on the host.
+  int ready();
+
   /// The active regions have to be selected anew.
   void invalidateSelection();
   void dropCoarser();
@@ -67,8 +74,22 @@ private:
   bool AddCoarser();
   void DropFrom(std::size_t level);
 
+  // Volumes without levels, one more each, as far as there are as many.
+  struct Ahead
+  {
+    struct Coarser
+    {
+      Volume volume;
+      glm::dmat4 fromHalfCells{ 1.0 };
+    };
+    std::vector<Coarser> coarser;
+  };
+  static Ahead Make(std::vector<Ahead::Coarser> known, std::size_t count);
+  void TakeAhead();
+
   std::vector<Level> Levels; // the whole volume, and then one level less each
   bool CoarsestMade = false; // there are no more levels to leave out
+  std::future<Ahead> MadeAhead;
   double UploadTime = 0.0;
   double SelectionTime = 0.0;
   std::size_t StructureUploads = 0;

@@ -415,6 +415,28 @@ void VolumeRenderer::setVolume(const Volume& volume)
   }
 }
 
+std::vector<double> VolumeRenderer::finestCells() const
+{
+  if (this->Data->Levels.empty())
+  {
+    return {};
+  }
+  const Hierarchy& hierarchy = this->Data->Levels.volume().structure->hierarchy;
+  std::vector<double> widths;
+  for (auto width = hierarchy.cellWidth.rbegin();
+       width != hierarchy.cellWidth.rend() && (widths.empty() || !hierarchy.whole); ++width)
+  {
+    widths.push_back(2.0 * static_cast<double>(*width));
+  }
+  return widths;
+}
+
+int VolumeRenderer::makeCoarserAhead(int levelsLeftOut)
+{
+  this->Data->Levels.makeAhead(levelsLeftOut);
+  return this->Data->Levels.ready();
+}
+
 void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Session.forget();

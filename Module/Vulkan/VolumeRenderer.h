@@ -54,6 +54,13 @@ public:
   /// Brings everything on the device up to date.
   std::string prepare();
 
+  /// Widths of the finest cells without so many levels, [levels left out], in half cells; of a
+  /// volume of which a part is drawn those of all levels alone.
+  std::vector<double> finestCells() const;
+  /// Starts to make the volume without up to so many levels, on a thread of its own, and tells how
+  /// many may be left out of what was made so far.
+  int makeCoarserAhead(int levelsLeftOut);
+
   /// Called between the pieces of a picture, about each 30 ms, with the part of it that is done, in
   /// [0, 1]; false: give it up.
   using Progress = std::function<bool(double done)>;

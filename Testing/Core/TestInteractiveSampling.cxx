@@ -2,6 +2,8 @@
 // How coarsely pictures are drawn to be done in time, by what the last ones took.
 #include "Core/InteractiveSampling.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace exabricks;
@@ -79,6 +81,43 @@ TEST(InteractiveSampling, StepsGrowWhereRaysAreAsThinAsMayBe)
   // What longer steps save is not taken for a faster machine.
   sampling.measured(chosen, 100.0, 100.0 * 1e-4 / 1.2, 0.0);
   EXPECT_GT(sampling.choose(0.4, Pixels, limits).stepGrowth, 1.0);
+}
+
+TEST(InteractiveSampling, LeavesLevelsOutWhoseCellsLieCloserThanRays)
+{
+  InteractiveSampling sampling;
+  // Each level less makes a picture 1.5 times as fast.
+  const auto draw = [&](const Coarseness& coarseness)
+  {
+    const Machine machine{ 1e-5 / std::pow(1.5, coarseness.levelsLeftOut), 0.0 };
+    return machine.draw(sampling, coarseness);
+  };
+  InteractiveSampling::Limits ofCells = limits;
+  ofCells.cells = { 0.7, 1.4, 2.8, 5.6 };
+  draw({});
+  double before = 0.0;
+  for (const double seconds : { 4.0, 1.0, 0.5, 0.2, 0.03 })
+  {
+    Coarseness chosen;
+    double took = 0.0;
+    for (int i = 0; i < 6; ++i) // what a number of levels takes is not known beforehand
+    {
+      chosen = sampling.choose(seconds, Pixels, ofCells);
+      took = draw(chosen);
+    }
+    EXPECT_NEAR(took, seconds, 0.05 * seconds);
+    EXPECT_LE(ofCells.cells[static_cast<std::size_t>(chosen.levelsLeftOut)],
+      std::max(chosen.imageSampleDistance, 0.7));
+    EXPECT_GE(chosen.levelsLeftOut, before);
+    before = chosen.levelsLeftOut;
+    // It stays where it is.
+    EXPECT_EQ(sampling.choose(seconds, Pixels, ofCells).levelsLeftOut, chosen.levelsLeftOut);
+  }
+  EXPECT_EQ(before, 3);
+  // Large cells are never left out, nor where it is not known how large they are.
+  ofCells.cells = { 5.0, 10.1 };
+  EXPECT_EQ(sampling.choose(0.05, Pixels, ofCells).levelsLeftOut, 0);
+  EXPECT_EQ(sampling.choose(0.05, Pixels, limits).levelsLeftOut, 0);
 }
 
 TEST(InteractiveSampling, KeepsToItsLimits)

@@ -137,6 +137,42 @@ int TestInteraction(int, char*[])
   mapper->AutoAdjustSampleDistancesOff();
   checks.Equal(test::Picture(window).Difference(whole), 0.0, "never");
 
+  // Where cells lie closer together than rays, their level is left out, once it was made without
+  // it; the still picture has all levels.
+  test::Stage far(test::makeAMR(test::cornerRefined(), bowl), 100);
+  test::setRamp(far.Property(), 1.0, 7.0);
+  test::lookAlongZ(far.renderer, 4.0, 4.0, 4.0, 100.0); // half a pixel for a fine cell
+  far.mapper->SetMaximumImageSampleDistance(3.0f);
+  const test::Picture still(far.window);
+  checks.Equal(far.mapper->GetLevelsLeftOut(), 0, "all levels, still");
+  far.window->SetDesiredUpdateRate(Hasty);
+  for (int i = 0; i < 1000 && far.mapper->GetLevelsLeftOut() == 0; ++i)
+  {
+    far.window->Render();
+  }
+  checks.Equal(far.mapper->GetLevelsLeftOut(), 1, "levels left out while it moves");
+  checks.Expect(test::Picture(far.window).Decibel(still) > 15.0, "without a level, in a hurry");
+  far.window->SetDesiredUpdateRate(Still);
+  checks.Equal(test::Picture(far.window).Difference(still), 0.0, "still again");
+  checks.Equal(far.mapper->GetLevelsLeftOut(), 0, "all levels, still again");
+  // Other values are not those that were made without the level.
+  far.window->SetDesiredUpdateRate(Hasty);
+  far.mapper->SetInputDataObject(test::makeAMR(test::cornerRefined(), test::constant(0.0)));
+  for (int i = 0; i < 3; ++i)
+  {
+    checks.Equal(test::Picture(far.window).Coverage(), 0.0, "other values");
+  }
+  far.mapper->SetInputDataObject(test::makeAMR(test::cornerRefined(), bowl));
+  // With the eye among the cells, those before it are large.
+  far.renderer->GetActiveCamera()->ParallelProjectionOff();
+  far.renderer->GetActiveCamera()->SetPosition(4.0, 4.0, 6.0);
+  far.renderer->ResetCameraClippingRange();
+  for (int i = 0; i < 20; ++i)
+  {
+    far.window->Render();
+    checks.Equal(far.mapper->GetLevelsLeftOut(), 0, "from within");
+  }
+
   checks.Silent(messages.TakeErrors(), "nothing to say");
   checks.Silent(messages.TakeWarnings(), "nothing to say");
   return checks.Status();
