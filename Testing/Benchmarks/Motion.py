@@ -113,7 +113,8 @@ def main(folder, height=600, frames=24, *clouds):
                     "least": round(ordered[len(ordered) // 10], 3), "most": round(ordered[-1 - len(ordered) // 10], 3),
                     "db": round(statistics.median(nearness), 2),
                     "distance": round(method.mapper.GetUsedImageSampleDistance(), 2) if ours else "",
-                    "growth": round(method.mapper.GetUsedStepGrowth(), 2) if ours else ""})
+                    "growth": round(method.mapper.GetUsedStepGrowth(), 2) if ours else "",
+                    "levels": method.mapper.GetLevelsLeftOut() if ours else ""})
                 print(*lines[-1].values(), sep=", ", flush=True)
     write_csv(pathlib.Path(folder) / "motion.csv", lines)
 

@@ -36,7 +36,7 @@ def load(folder):
         "machine": read_csv(folder, "machine.csv", ["name", "value"]),
         "features": read_csv(folder, "features.csv", ["feature", "method", "value", "wall_ms", "cpu_ms", "db"]),
         "motion": read_csv(folder, "motion.csv", [
-            "scene", "method", "allowed_ms", "taken_ms", "cpu_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth"]),
+            "scene", "method", "allowed_ms", "taken_ms", "cpu_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth", "levels"]),
     }
     for name in ("scenes", "growth"):
         data[name] = read_csv(folder, f"{name}.csv", [

@@ -28,7 +28,7 @@ from .vtkRenderingVolumeExaBricks import (
 )
 from .yt_adapter import amr_from_yt
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"
 
 __all__ = [
     "ArrayInfo",
