@@ -153,9 +153,10 @@ public:
    * vtkSmartVolumeMapper. With InteractiveAdjustSampleDistances on (the default) they are while the
    * window's desired update rate is at least InteractiveUpdateRate (1 by default), as it is while
    * an interactor moves something, and not when it stands still. With it off,
-   * AutoAdjustSampleDistances decides. Levels and steps of an ErrorTolerance are then those that
-   * were chosen last. What is drawn when nothing is adjusted does not depend on what was drawn
-   * before.
+   * AutoAdjustSampleDistances decides. Levels whose cells lie closer together than rays are then
+   * left out; the volume without them is made on a thread of its own, and kept, for which memory is
+   * taken as for an ErrorTolerance, whose own levels and steps are those that were chosen last.
+   * What is drawn when nothing is adjusted does not depend on what was drawn before.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
@@ -416,7 +417,8 @@ public:
   double GetUsedStepGrowth();
   ///@}
 
-  /// How many of the finest levels the last picture did without, for the ErrorTolerance.
+  /// How many of the finest levels the last picture did without, for the ErrorTolerance, or as
+  /// something moves.
   int GetLevelsLeftOut();
 
   /// How many pixels of the last picture had a ray of their own, of a picture in several passes
