@@ -139,7 +139,6 @@ int TestComponents(int, char*[])
   two.mapper->SetBlendModeToSlice();
   two.Shows({ 0.2, 0.0, 0.0 }, { 0.1, 0.0, 0.4 }, "a slice, shaded");
   two.Property()->ShadeOff();
-  two.Shows({ 0.4, 0.0, 0.0 }, { 0.2, 0.0, 0.4 }, "a slice");
   two.mapper->SetBlendModeToMaximumIntensity();
   two.Shows({ 0.4, 0.0, 0.0 }, { 0.2, 0.0, 0.4 }, "maximum");
   two.mapper->SetBlendModeToAdditive();
@@ -200,13 +199,18 @@ int TestComponents(int, char*[])
   surfaces.Property()->SetComponentWeight(1, 0.6);
   surfaces.Property()->SetComponentWeight(2, 0.7);
   surfaces.Shows({ 0.0, 0.0, 0.2 }, { 0.0, 0.0, 0.2 }, "surfaces of the heaviest component");
+  // Lit, and less opaque by its gradient.
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.0, 0.5);
+  surfaces.Property()->SetGradientOpacity(2, byGradient);
   surfaces.Property()->SetShade(2, true);
   surfaces.Property()->SetAmbient(2, 0.5);
   surfaces.Property()->SetDiffuse(2, 0.0);
   surfaces.Property()->SetSpecular(2, 0.0);
-  surfaces.Shows({ 0.0, 0.0, 0.1 }, { 0.0, 0.0, 0.1 }, "lit surfaces of the heaviest component");
+  surfaces.Shows({ 0.0, 0.0, 0.05 }, { 0.0, 0.0, 0.05 }, "lit surfaces of the heaviest component");
+  surfaces.Property()->SetGradientOpacity(2, static_cast<vtkPiecewiseFunction*>(nullptr));
   surfaces.Property()->SetShade(2, false);
-  // Its 2-D function, and its gradient opacity.
+  // Its 2-D function.
   vtkNew<vtkImageData> yellow;
   yellow->SetDimensions(1, 1, 1);
   yellow->AllocateScalars(VTK_FLOAT, 4);
@@ -215,11 +219,6 @@ int TestComponents(int, char*[])
   surfaces.Property()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   surfaces.Shows({ 0.5, 0.5, 0.0 }, { 0.5, 0.5, 0.0 }, "2-D");
   surfaces.Property()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
-  vtkNew<vtkPiecewiseFunction> byGradient;
-  byGradient->AddPoint(0.0, 0.25);
-  surfaces.Property()->SetGradientOpacity(2, byGradient);
-  surfaces.Shows({ 0.0, 0.0, 0.05 }, { 0.0, 0.0, 0.05 }, "less opaque by its gradient");
-  surfaces.Property()->SetGradientOpacity(2, static_cast<vtkPiecewiseFunction*>(nullptr));
   surfaces.mapper->SetBlendModeToComposite();
   surfaces.Property()->SetComponentWeight(0, 0.0);
   surfaces.Property()->SetComponentWeight(2, 0.0);
