@@ -13,9 +13,9 @@
  * Blocks may be null: a coarse cell counts as covered only where a finer block is really there.
  * Arrays may be larger than the AMR box (ghost layers). Cells marked HIDDENCELL in vtkGhostType,
  * NaN and infinite values are absent: transparent, without influence on their neighbours. Cells
- * marked DUPLICATECELL give way to the real cell, and where there is none, as on the process that
- * does not own them, they are absent too; REFINEDCELL is found anew, as in VTK's AMR filters.
- * Where finer blocks cover a coarse cell in part, the rest of it keeps its value.
+ * marked DUPLICATECELL give way to the real cell, and where there is none of any level, as on the
+ * process that does not own them, they are absent too; REFINEDCELL is found anew, as in VTK's AMR
+ * filters. Where finer blocks cover a coarse cell in part, the rest of it keeps its value.
  *
  * Bricks and regions are built anew only when the boxes change: another array or time step on the
  * same boxes keeps them. Values are normalised in double precision to the range of the leaf cells.

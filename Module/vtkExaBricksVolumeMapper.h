@@ -203,8 +203,9 @@ public:
    *
    * The choice depends on the view and its opaque geometry alone, not on what was drawn before; the
    * parts of a picture have that of the whole, without regard to geometry. 0 (default): step and
-   * opacity alone count, and all levels are drawn. Has no effect on the nearest reconstruction,
-   * which is exact. Below about 1e-4 a picture takes seconds, and single precision is the limit.
+   * opacity alone count, and all levels are drawn but while something moves. Has no effect on the
+   * nearest reconstruction, which is exact. Below about 1e-4 a picture takes seconds, and single
+   * precision is the limit.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);

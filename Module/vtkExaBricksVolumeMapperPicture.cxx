@@ -318,7 +318,11 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
       this->InteractiveTime = this->Self->GetMTime();
     }
   }
-  if (this->Interactive.knows() && !(this->Self->ErrorTolerance > 0.0))
+  // Means of cells are no cells, nor categories; of cells without a value none is left out.
+  const bool mayLeaveOut = !(this->Self->ErrorTolerance > 0.0) &&
+    this->FindReconstruction(vol->GetProperty()) != exabricks::Reconstruction::Nearest &&
+    !this->UsesNanColor(vol->GetProperty(), bricked);
+  if (this->Interactive.knows() && mayLeaveOut)
   {
     // Levels that are to be left out are made while the picture is drawn without.
     limits.cells =

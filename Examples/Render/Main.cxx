@@ -117,7 +117,7 @@ void writeTurntable(const Options& options, Picture& picture)
   series.Finish();
 }
 
-// All data sets as the picture is set up, with one of them in memory at a time.
+// All data sets as the picture is set up. The one before is there until the next one is drawn.
 void writeTimeSeries(const Options& options, Picture& picture, const std::string& array)
 {
   PictureSeries series(options.Output, options.FramesPerSecond);
@@ -145,17 +145,17 @@ void writeTimeSeries(const Options& options, Picture& picture, const std::string
 
 void drawIntoFile(Options options)
 {
-  AMRFile file(options.Input);
+  auto file = std::make_unique<AMRFile>(options.Input);
   if (options.ListArrays)
   {
-    printArrays(std::cout, file);
+    printArrays(std::cout, *file);
     return;
   }
-  const ArrayInfo array = chooseArray(options, file);
+  const ArrayInfo array = chooseArray(options, *file);
   checkWritable(options.Output);
   if (Video::IsOne(options.Output))
   {
-    Video::CheckProgram();
+    Video::Check(options.Output);
   }
   if (!options.Statistics.empty())
   {
@@ -165,7 +165,7 @@ void drawIntoFile(Options options)
   auto window = makeWindow();
 
   const auto start = std::chrono::steady_clock::now();
-  auto amr = file.Read(array.Name, options.Levels, options.Quiet);
+  auto amr = file->Read(array.Name, options.Levels, options.Quiet);
   const std::chrono::duration<double> readTime = std::chrono::steady_clock::now() - start;
 
   const bool logAsked = options.Log;
@@ -176,7 +176,7 @@ void drawIntoFile(Options options)
   }
   picture->Draw();
 
-  const render::Run run{ options, file, *picture, array, readTime.count(),
+  const render::Run run{ options, *file, *picture, array, readTime.count(),
     options.Log && !logAsked };
   // Of the first picture of a turntable, and of the last one of a time series.
   const std::string statistics = statisticsJson(run);
@@ -189,6 +189,7 @@ void drawIntoFile(Options options)
   else if (options.IsSeries())
   {
     amr = nullptr;
+    file.reset();
     writeTimeSeries(options, *picture, array.Name);
   }
   else

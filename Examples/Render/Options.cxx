@@ -112,7 +112,11 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     .add_flag_callback(
       "--list-devices", [] { throw CLI::Success(); }, "Say which Vulkan devices there are")
     ->trigger_on_parse();
-  app.add_option("--stats", o.Statistics, "Write all numbers of the run to this file")
+  app
+    .add_option("--stats", o.Statistics,
+      "Write all numbers of the run, of several pictures of the first or, of a time series, the "
+      "last "
+      "one, to this file")
     ->type_name("FILE.json");
   app.add_option("--turntable", o.Turntable, "Draw N pictures of one turn about the upward axis")
     ->type_name("N")
@@ -240,7 +244,9 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
   app.add_option("--device", o.Device, "Vulkan device: index, or part of its name [the best]")
     ->type_name("WHICH")
     ->group(method);
-  app.add_option("--frames", o.Frames, "Time N frames after the first, and give the median")
+  app
+    .add_option("--frames", o.Frames,
+      "Time N frames after the first, and give the median; of a time series those of the last file")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))
     ->group(method);

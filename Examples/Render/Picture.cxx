@@ -292,6 +292,7 @@ void Picture::Annotate(const std::string& title)
 void Picture::DrawOther(vtkOverlappingAMR* amr)
 {
   this->VolumeMapper->SetInputDataObject(amr);
+  this->Ren->ResetCameraClippingRange();
   this->DrawFrame();
 }
 

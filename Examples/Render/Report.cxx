@@ -151,7 +151,7 @@ Json lookJson(const Run& run)
   }
   return { { "color_map", run.Asked.ColorMap }, { "color_range", run.Result.ColorRange },
     { "colors", colors }, { "opacity", opacity },
-    { "opacity_from_histogram", run.Asked.Opacity.empty() },
+    { "opacity_from_histogram", run.Asked.Opacity.empty() && !run.Asked.Slice },
     { "opacity_unit", run.Result.OpacityUnit }, { "background", run.Asked.Background } };
 }
 

@@ -32,6 +32,10 @@ void readInput(const Json& input, Options& o)
   {
     o.Input = input.at("file");
   }
+  if (input.contains("series"))
+  {
+    o.Inputs = input.at("series").get<std::vector<std::string>>();
+  }
   o.Array = input.at("array");
   if (input.at("component").is_number_integer())
   {

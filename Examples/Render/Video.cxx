@@ -38,6 +38,7 @@ namespace
 const std::map<std::string, std::string> Containers{ { ".mp4", "mp4" }, { ".mkv", "matroska" },
   { ".webm", "webm" } };
 
+#ifndef _WIN32
 bool isInPath(const std::string& program)
 {
   const char* const path = std::getenv("PATH");
@@ -45,22 +46,27 @@ bool isInPath(const std::string& program)
   for (std::string folder; std::getline(folders, folder, ':');)
   {
     std::error_code error;
-    const auto status = std::filesystem::status(std::filesystem::path(folder) / program, error);
-    if (!error && std::filesystem::is_regular_file(status) &&
-      (status.permissions() & std::filesystem::perms::others_exec) != std::filesystem::perms::none)
+    const std::filesystem::path path = std::filesystem::path(folder) / program;
+    if (std::filesystem::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0)
     {
       return true;
     }
   }
   return false;
 }
+#endif
 
 }
 
 bool Video::IsOne(const std::string& path) { return Containers.count(pictureEnding(path)) > 0; }
 
-void Video::CheckProgram()
+void Video::Check(const std::string& path)
 {
+  if (!findDestination(path).Replace)
+  {
+    refuseOutput(
+      path, "a video takes a file of its own, as ffmpeg goes back in it. Give another name.");
+  }
 #ifdef _WIN32
   const bool there = false;
 #else
@@ -76,7 +82,7 @@ void Video::CheckProgram()
 
 Video::Video(const std::string& path, double framesPerSecond)
   : Path(path)
-  , Part(temporaryBeside(findDestination(path).Target))
+  , Part(std::filesystem::absolute(temporaryBeside(findDestination(path).Target)).string())
   , Rate(framesPerSecond)
 {
 }
@@ -90,7 +96,7 @@ Video::~Video()
 
 #ifdef _WIN32
 
-void Video::Start(int, int) { CheckProgram(); }
+void Video::Start(int, int) { Check(this->Path); }
 int Video::Close() { return 1; }
 
 #else
@@ -119,7 +125,10 @@ void Video::Start(int width, int height)
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_addclose(&actions, ends[0]);
+  if (ends[0] != STDIN_FILENO)
+  {
+    posix_spawn_file_actions_addclose(&actions, ends[0]);
+  }
   pid_t process = 0;
   const int error = posix_spawnp(&process, "ffmpeg", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -131,6 +140,11 @@ void Video::Start(int width, int height)
   }
   this->Process = process;
   this->Pipe = fdopen(ends[1], "wb");
+  if (!this->Pipe)
+  {
+    close(ends[1]);
+    refuseOutput(this->Path, std::strerror(errno));
+  }
 }
 
 int Video::Close()
@@ -142,10 +156,14 @@ int Video::Close()
     std::signal(SIGPIPE, before);
     this->Pipe = nullptr;
   }
-  int status = 0;
+  int status = 1;
   if (this->Process > 0)
   {
-    waitpid(this->Process, &status, 0);
+    pid_t ended = 0;
+    while ((ended = waitpid(this->Process, &status, 0)) < 0 && errno == EINTR)
+    {
+    }
+    status = ended < 0 ? 1 : status; // nobody can tell how it ended
     this->Process = 0;
   }
   return status;

@@ -17,8 +17,9 @@ class Video
 public:
   // Whether a path's ending is that of a video: .mp4, .mkv or .webm.
   static bool IsOne(const std::string& path);
-  // Before the long work. Throws Failure(OutputUnwritable) if there is no ffmpeg.
-  static void CheckProgram();
+  // Before the long work. Throws Failure(OutputUnwritable) if there is no ffmpeg, or the path leads
+  // to what is no regular file.
+  static void Check(const std::string& path);
 
   // A file at the path replaces another one when all is done. framesPerSecond: of the pictures.
   Video(const std::string& path, double framesPerSecond);
@@ -33,7 +34,7 @@ public:
 
 private:
   void Start(int width, int height);
-  int Close(); // returns the program's exit code
+  int Close(); // returns 0 if the program ended well
 
   const std::string Path;
   const std::string Part; // the file as long as it grows

@@ -64,7 +64,7 @@ struct Quality
   bool jittered = false; // each pixel's samples lie elsewhere between the ends of regions
   /// Root mean square error of the drawn pixels' channels, in (0, 1), that steps are chosen for,
   /// early termination with them, and how many of the finest levels are left out; 0: stepScale and
-  /// terminationOpacity alone count, and all levels are drawn.
+  /// terminationOpacity alone count, and all levels are drawn but for levelsLeftOut.
   double errorTolerance = 0.0;
   /// So many of the finest levels are left out, and with an errorTolerance that steps are chosen
   /// for at most so many; none: as many as it allows.

@@ -41,7 +41,7 @@ void LevelsOfDetail::setVolume(const Volume& volume)
   {
     return;
   }
-  this->MadeAhead = {};
+  this->DropAhead();
   for (Level& level : this->Levels)
   {
     level.volume.values.reset(); // of coarser ones, made when they are drawn
@@ -161,9 +161,10 @@ void LevelsOfDetail::Update(
 }
 
 // The first one known is the whole volume; others may have no values yet.
-LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, std::size_t count)
+LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, std::size_t count,
+  const std::shared_ptr<std::atomic<bool>>& givenUp)
 {
-  for (std::size_t i = 1; i <= count; ++i)
+  for (std::size_t i = 1; i <= count && !*givenUp; ++i)
   {
     const Ahead::Coarser& finer = known[i - 1];
     if (i == known.size())
@@ -187,8 +188,9 @@ LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, st
 
 void LevelsOfDetail::makeAhead(int levelsLeftOut)
 {
-  if (this->MadeAhead.valid() || this->empty() || this->CoarsestMade ||
-    levelsLeftOut <= this->ready())
+  const bool noneLeft =
+    this->CoarsestMade && static_cast<std::size_t>(levelsLeftOut) >= this->Levels.size();
+  if (this->MadeAhead.valid() || this->empty() || noneLeft || levelsLeftOut <= this->ready())
   {
     return;
   }
@@ -197,8 +199,16 @@ void LevelsOfDetail::makeAhead(int levelsLeftOut)
   {
     known.push_back({ level.volume, level.fromHalfCells });
   }
-  this->MadeAhead = std::async(std::launch::async, &LevelsOfDetail::Make, std::move(known),
-    static_cast<std::size_t>(levelsLeftOut));
+  this->GivenUp = std::make_shared<std::atomic<bool>>(false);
+  try
+  {
+    this->MadeAhead = std::async(std::launch::async, &LevelsOfDetail::Make, std::move(known),
+      static_cast<std::size_t>(levelsLeftOut), this->GivenUp);
+  }
+  catch (const std::exception&) // no thread is to be had
+  {
+    this->CoarsestMade = true;
+  }
 }
 
 void LevelsOfDetail::TakeAhead()
@@ -226,10 +236,20 @@ void LevelsOfDetail::TakeAhead()
       }
     }
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&) // most likely of too little memory
   {
     this->CoarsestMade = true;
   }
+}
+
+// Waits until the level is made that is being made.
+void LevelsOfDetail::DropAhead()
+{
+  if (this->GivenUp)
+  {
+    *this->GivenUp = true;
+  }
+  this->MadeAhead = {};
 }
 
 int LevelsOfDetail::ready()
@@ -253,7 +273,7 @@ void LevelsOfDetail::invalidateSelection()
 
 void LevelsOfDetail::DropFrom(std::size_t level)
 {
-  this->MadeAhead = {}; // which waits until it is done
+  this->DropAhead();
   if (level < this->Levels.size())
   {
     this->Levels.erase(this->Levels.begin() + level, this->Levels.end());

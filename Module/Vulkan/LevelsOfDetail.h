@@ -8,6 +8,7 @@
 #include "Core/Coarsening.h"
 #include "Vulkan/DeviceVolume.h"
 
+#include <atomic>
 #include <future>
 
 namespace exabricks
@@ -84,12 +85,15 @@ private:
     };
     std::vector<Coarser> coarser;
   };
-  static Ahead Make(std::vector<Ahead::Coarser> known, std::size_t count);
+  static Ahead Make(std::vector<Ahead::Coarser> known, std::size_t count,
+    const std::shared_ptr<std::atomic<bool>>& givenUp);
   void TakeAhead();
+  void DropAhead();
 
   std::vector<Level> Levels; // the whole volume, and then one level less each
   bool CoarsestMade = false; // there are no more levels to leave out
   std::future<Ahead> MadeAhead;
+  std::shared_ptr<std::atomic<bool>> GivenUp; // what is being made is of no use any more
   double UploadTime = 0.0;
   double SelectionTime = 0.0;
   std::size_t StructureUploads = 0;

@@ -295,6 +295,7 @@ struct VolumeRenderer::Internals
     {
       this->Measured.marchTime = 0.0;
       this->Measured.rays = 0;
+      this->Measured.levelsLeftOut = 0;
       this->ClearPicture(view, picture);
       return;
     }

@@ -300,7 +300,7 @@ TEST(ActiveRegions, OfManyRegionsComeInOrderWithTheirTree)
   auto structure = std::make_shared<const Structure>(buildStructure(standIn.hierarchy));
   auto values = std::make_shared<Values>(gatherValues(*structure, *standIn.cells));
   values->ranges = findValueRanges(*structure, *values, 1000); // none is cut
-  const Volume volume{ structure, values };
+  Volume volume{ structure, values };
   ASSERT_GT(structure->tree.regions.size(), 20000u);
   const TransferFunction transfer = above(0.1);
   const ActiveRegions active =
@@ -331,6 +331,30 @@ TEST(ActiveRegions, OfManyRegionsComeInOrderWithTheirTree)
   EXPECT_GT(next, 1000u);
   EXPECT_LT(next, structure->tree.regions.size());
   EXPECT_EQ(active.nodeExtremes[0], greatest);
+
+  // Cut between macrocells: of each of them that shows anything its place leads to the region's
+  // list, and of others none does.
+  auto cut = std::make_shared<Values>(*values);
+  cut->ranges = findValueRanges(*structure, *values, 2);
+  volume.values = cut;
+  const ActiveRegions parts = selectActiveRegions(volume, transfer);
+  ASSERT_GT(cut->ranges.grids.size(), 1000u);
+  EXPECT_EQ(parts.regions, active.regions);
+  EXPECT_NE(parts.boxCount, active.boxCount);
+  ASSERT_EQ(parts.nodes.size(), 2 * countLeaves(parts.nodes, 0) - 1);
+  for (const MacrocellGrid& grid : cut->ranges.grids)
+  {
+    const layout::Region& region = structure->tree.regions[grid.region];
+    const glm::ivec3 n = grid.count(region);
+    for (int k = 0; k < n.x * n.y * n.z && region.brickCount > 0; ++k)
+    {
+      const glm::ivec3 at(k % n.x, k / n.x % n.y, k / (n.x * n.y));
+      const bool shows =
+        transfer.visible(cut->ranges.macrocells[grid.firstRange + static_cast<std::size_t>(k)]);
+      ASSERT_EQ(findLeaf(parts.nodes, grid.corner(region, at)),
+        shows ? region.firstBrick : std::uint32_t(layout::KD_NO_REGION));
+    }
+  }
 }
 
 TEST(ActiveRegions, OfNothingToShowAreATreeOfOneNode)

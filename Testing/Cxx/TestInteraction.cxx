@@ -157,11 +157,20 @@ int TestInteraction(int, char*[])
   checks.Equal(far.mapper->GetLevelsLeftOut(), 0, "all levels, still again");
   // Other values are not those that were made without the level.
   far.window->SetDesiredUpdateRate(Hasty);
-  far.mapper->SetInputDataObject(test::makeAMR(test::cornerRefined(), test::constant(0.0)));
-  for (int i = 0; i < 3; ++i)
+  far.mapper->SetInputDataObject(test::makeAMR(test::cornerRefined(), test::constant(6.9)));
+  for (int i = 0; i < 1000 && (i < 3 || far.mapper->GetLevelsLeftOut() == 0); ++i)
   {
-    checks.Equal(test::Picture(far.window).Coverage(), 0.0, "other values");
+    checks.Expect(test::Picture(far.window).Center()[0] > 0.5, "other values are red");
   }
+  checks.Equal(far.mapper->GetLevelsLeftOut(), 1, "levels left out of other values");
+  // Cells are shown as they are by the nearest reconstruction.
+  far.mapper->SetReconstructionToNearest();
+  for (int i = 0; i < 20; ++i)
+  {
+    far.window->Render();
+    checks.Equal(far.mapper->GetLevelsLeftOut(), 0, "nearest");
+  }
+  far.mapper->SetReconstructionToBasis();
   far.mapper->SetInputDataObject(test::makeAMR(test::cornerRefined(), bowl));
   // With the eye among the cells, those before it are large.
   far.renderer->GetActiveCamera()->ParallelProjectionOff();

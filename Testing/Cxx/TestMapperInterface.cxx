@@ -6,6 +6,8 @@
 #include "Checks.h"
 #include "Stage.h"
 
+#include "vtkExaBricksSceneSource.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExaBricksBuilder.h"
@@ -68,12 +70,19 @@ int TestMapperInterface(int, char*[])
   // What programs ask their image for, an AMR of one block tells.
   const std::vector<test::Block> one{ { 0, { 0, 0, 0 }, { 8, 8, 8 } } };
   producer->SetOutput(test::makeAMR(one, [](double x, double, double) { return 2.0 * x; }));
-  checks.Expect(mapper->GetInput() != nullptr, "the input of one block, before any update");
+  checks.Expect(mapper->GetInput() != nullptr, "the input of one block");
   if (mapper->GetInput())
   {
     checks.Equal(mapper->GetInput()->GetScalarRange()[0], 1.0, "its least value");
     checks.Equal(mapper->GetInput()->GetScalarRange()[1], 15.0, "its greatest value");
   }
+  vtkNew<vtkExaBricksSceneSource> source;
+  mapper->SetInputConnection(source->GetOutputPort());
+  mapper->GetInput();
+  checks.Expect(
+    vtkOverlappingAMR::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfLevels() > 0,
+    "an input comes up to date when it is asked for");
+  mapper->SetInputConnection(producer->GetOutputPort());
   producer->SetOutput(test::makeAMR(test::cornerRefined(), test::constant(1.0), lattice));
   producer->Update();
   checks.Expect(!mapper->GetInput(), "an AMR of several blocks is no data set");

@@ -505,15 +505,16 @@ class RenderProgramTest(unittest.TestCase):
         for i in range(3):
             step = os.path.join(folder, "step%d" % i)
             os.mkdir(step)
-            values = " ".join("1" if cell < 16 * (i + 1) else "0" for cell in range(64))
+            depth = 40 if i == 0 else 4  # far beyond the last one's
+            values = " ".join("1" if cell < 16 * (i + 1) else "0" for cell in range(16 * depth))
             write(step, "block.vti", """<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
-                <ImageData WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 4">
+                <ImageData WholeExtent="0 4 0 4 0 {1}" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 {1}">
                 <CellData><DataArray type="Float32" Name="density" format="ascii">{0}</DataArray></CellData>
-                </Piece></ImageData></VTKFile>""".format(values))
+                </Piece></ImageData></VTKFile>""".format(values, depth))
             steps.append(write(step, "data.vthb", """<VTKFile type="vtkOverlappingAMR" version="1.1"
                 byte_order="LittleEndian"><vtkOverlappingAMR origin="0 0 0" grid_description="XYZ">
-                <Block level="0" spacing="1 1 1"><DataSet index="0" amr_box="0 3 0 3 0 3" file="block.vti"/></Block>
-                </vtkOverlappingAMR></VTKFile>"""))
+                <Block level="0" spacing="1 1 1"><DataSet index="0" amr_box="0 3 0 3 0 {0}" file="block.vti"/></Block>
+                </vtkOverlappingAMR></VTKFile>""".format(depth - 1)))
         return steps
 
     def test_time_series(self):
@@ -535,6 +536,12 @@ class RenderProgramTest(unittest.TestCase):
                 with open(os.path.join(self.folder.name, name), "rb") as file:
                     pictures.append(file.read())
             self.assertEqual(len(set(pictures)), 3)
+            # The scene names them all.
+            again = os.path.join(folder, "again.png")
+            done = self.run_program("--scene", os.path.join(folder, "stats.json"), again, "--quiet")
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            with open(os.path.join(folder, "again-0001.png"), "rb") as file:
+                self.assertEqual(file.read(), pictures[1])
             # Each is what the last one's scene shows of it.
             for step, picture in zip(steps, pictures):
                 single = os.path.join(folder, "single.png")
@@ -573,6 +580,15 @@ class RenderProgramTest(unittest.TestCase):
             self.assertEqual(done.returncode, FINE, done.stderr)
             self.assertEqual(os.path.getsize(video), 4 * 48 * 32 * 3)
             os.remove(video)
+            os.symlink("/dev/null", video)
+            done = self.run_program(*steps, video, "--size", "48x32", env=there)
+            self.assertEqual(done.returncode, OUTPUT_UNWRITABLE, done.stderr)
+            os.remove(video)
+            done = self.run_program(*steps, "12:30.mkv", "--size", "48x32", env=there, cwd=self.folder.name)
+            self.assertEqual(done.returncode, FINE, done.stderr)
+            with open(os.path.join(folder, "arguments"), encoding="utf-8") as file:
+                self.assertIn(" " + self.folder.name + "/", file.read())
+            os.remove(os.path.join(self.folder.name, "12:30.mkv"))
             write(folder, "fails", "")
             self.refused(OUTPUT_UNWRITABLE, ["ffmpeg"], *steps, video, "--size", "48x32", env=there)
             without = dict(os.environ, PATH=os.path.join(folder, "nowhere"))
