@@ -138,8 +138,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   {
     this->Report({ {},
       { "UseNanColor counts with blend modes composite and slice, one component and a color "
-        "function "
-        "of three channels: cells without a value are left out." } });
+        "function of three channels: cells without a value are left out." } });
   }
   if (bricked.volume.structure->hierarchy.whole)
   {

@@ -255,9 +255,8 @@ AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume)
 
 bool canUseNanColor(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components)
 {
-  const int mode = mapper->GetBlendMode();
-  return (mode == vtkVolumeMapper::COMPOSITE_BLEND || mode == vtkVolumeMapper::SLICE_BLEND) &&
-    components == 1 && property->GetColorChannels() == 3 &&
+  return mayShowUndefined(findBlending(mapper)) && components == 1 &&
+    property->GetColorChannels() == 3 &&
     property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D;
 }
 

@@ -36,6 +36,7 @@ public:
   explicit TreeMaker(Extreme extreme)
     : Wanted(extreme)
   {
+    this->Resize(1);
   }
 
   ActiveRegions take(const Subtree& root)
@@ -47,7 +48,6 @@ public:
   /// Below the root, for which there is a place.
   std::size_t nodes() const { return this->Result.nodes.size(); }
   ActiveRegions& result() { return this->Result; }
-  const ActiveRegions& result() const { return this->Result; }
 
   float extremeOf(const ValueRange& range) const
   {
@@ -118,14 +118,9 @@ public:
   }
 
   /// A node of a tree that is there.
-  static layout::KdNode moved(layout::KdNode node, const Place& place)
+  static layout::KdNode moved(const layout::KdNode& node, const Place& place)
   {
-    const std::uint32_t kind = node.link & 3;
-    if (kind != layout::KD_LEAF)
-    {
-      node.link = makeLink((node.link >> 2) + place.nodes - 1, kind);
-    }
-    return node;
+    return moveLink(node, place.nodes - 1, 0);
   }
 
   void count(const TreeMaker& other)
@@ -133,8 +128,6 @@ public:
     this->Result.regions += other.Result.regions;
     this->Result.boxCount += other.Result.boxCount;
   }
-
-  void begin() { this->Resize(1); }
 
 private:
   void Resize(std::size_t nodes)
@@ -163,7 +156,7 @@ public:
   // `ranges`: of the first component, by which steps are weighted.
   Selection(const Volume& volume, const ValueRanges& ranges, const std::vector<Shown>& shown,
     const StepWeights* weights, const ActiveForm& form, bool anyAbsentCells)
-    : Subject(*volume.structure)
+    : Part(volume.structure->shown())
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
     , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
@@ -174,7 +167,6 @@ public:
     , Form(form)
     , Made(form.extreme)
   {
-    this->Made.begin();
   }
 
   void selectBelow(std::size_t node)
@@ -201,7 +193,7 @@ private:
   bool IsInPart(const layout::Region& region) const
   {
     // Also one that ends at its face: the cell before a surface may be in it.
-    return this->Subject.shown().intersects(
+    return this->Part.intersects(
       { Int3(region.lo) - std::int64_t(1), Int3(region.hi) + std::int64_t(1) });
   }
 
@@ -346,7 +338,7 @@ private:
     return { leaf, range };
   }
 
-  const Structure& Subject;
+  const Box Part; // in half cells from the bounds' lower corner
   const RegionTree& Tree;
   const std::vector<unsigned char>& BrickHasAbsentCells;
   const std::vector<unsigned char>& BrickHasUndefinedCells;

@@ -43,9 +43,7 @@ bool Appearance::setView(const View& view)
   const bool ofCells = view.blending == Blending::Isosurface
     ? view.quality.reconstruction == Reconstruction::Nearest
     : this->SurfacesOfCells;
-  const bool undefined =
-    (view.blending == Blending::Composite || view.blending == Blending::Slice) &&
-    view.undefinedColor;
+  const bool undefined = mayShowUndefined(view.blending) && view.undefinedColor;
   if (undefined == this->Undefined && view.blending == this->Blended && ranges == this->Averaged &&
     isoValues == this->IsoValues && ofCells == this->SurfacesOfCells)
   {

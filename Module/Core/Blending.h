@@ -32,6 +32,12 @@ inline bool isOfPlaces(Blending blending)
     blending == Blending::Slice;
 }
 
+/// Whether cells without a value can show, in a colour of their own.
+inline bool mayShowUndefined(Blending blending)
+{
+  return blending == Blending::Composite || blending == Blending::Slice;
+}
+
 /// Normalised values that count for Average, of each component.
 using AverageRanges = std::array<glm::dvec2, layout::MOST_COMPONENTS>;
 inline AverageRanges wholeAverageRanges()

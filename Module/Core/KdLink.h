@@ -29,6 +29,17 @@ inline std::uint32_t makeLink(std::size_t index, std::uint32_t kind)
 {
   return 4 * checkIndex(index) + kind;
 }
+
+/// A node of a tree that becomes a part of a larger one, where places of nodes and what leaves link
+/// to lie so much farther on.
+inline layout::KdNode moveLink(layout::KdNode node, std::size_t byNodes, std::size_t byLeaves)
+{
+  const std::size_t index = node.link >> 2;
+  const std::uint32_t kind = node.link & 3;
+  const std::size_t by = kind == layout::KD_LEAF ? byLeaves : byNodes;
+  node.link = by > 0 ? makeLink(index + by, kind) : node.link;
+  return node;
+}
 }
 
 #endif

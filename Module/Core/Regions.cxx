@@ -474,12 +474,7 @@ private:
     const std::size_t firstRegion = this->Tree.regions.size();
     const std::size_t firstListed = this->Tree.brickLists.size();
     const auto moved = [&](const layout::KdNode& node)
-    {
-      const std::size_t index = node.link >> 2;
-      const std::uint32_t kind = node.link & 3;
-      return layout::KdNode{ node.plane,
-        makeLink(kind == layout::KD_LEAF ? index + firstRegion : index + firstNode - 1, kind) };
-    };
+    { return moveLink(node, firstNode - 1, firstRegion); };
     this->Tree.nodes[root] = moved(tree.nodes.front());
     for (std::size_t i = 1; i < tree.nodes.size(); ++i)
     {

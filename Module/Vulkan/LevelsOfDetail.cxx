@@ -71,19 +71,20 @@ LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
   const auto index = static_cast<std::size_t>(levelsLeftOut);
   try
   {
-    while (index >= this->Levels.size())
+    for (std::size_t i = 1; i <= index; ++i)
     {
-      if (!this->AddCoarser())
+      const bool known = i < this->Levels.size();
+      if (!known && this->CoarsestMade)
       {
         return nullptr;
       }
-    }
-    for (std::size_t i = 1; i <= index; ++i)
-    {
-      if (!this->Levels[i].volume.values)
+      if (!known || !this->Levels[i].volume.values)
       {
-        this->Levels[i].volume =
-          coarsenValues(this->Levels[i - 1].volume, this->Levels[i].volume.structure);
+        this->Adopt(Make(this->Known(), i, std::atomic<bool>(false)), i);
+      }
+      if (i >= this->Levels.size())
+      {
+        return nullptr;
       }
     }
     this->Update(this->Levels[index], device, selection);
@@ -101,26 +102,6 @@ LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
   this->DropFrom(index);
   this->CoarsestMade = true;
   return nullptr;
-}
-
-bool LevelsOfDetail::AddCoarser()
-{
-  if (this->CoarsestMade)
-  {
-    return false;
-  }
-  const Level& finer = this->Levels.back();
-  const std::optional<CoarserStructure> coarser = coarsen(*finer.volume.structure);
-  if (!coarser)
-  {
-    this->CoarsestMade = true;
-    return false;
-  }
-  Level level;
-  level.volume.structure = coarser->structure;
-  level.fromHalfCells = coarser->fromHalfCells * finer.fromHalfCells;
-  this->Levels.push_back(std::move(level));
-  return true;
 }
 
 void LevelsOfDetail::Update(
@@ -160,13 +141,24 @@ void LevelsOfDetail::Update(
   }
 }
 
-// The first one known is the whole volume; others may have no values yet.
-LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, std::size_t count,
-  const std::shared_ptr<std::atomic<bool>>& givenUp)
+std::vector<LevelsOfDetail::OnHost> LevelsOfDetail::Known() const
 {
-  for (std::size_t i = 1; i <= count && !*givenUp; ++i)
+  std::vector<OnHost> known;
+  for (const Level& level : this->Levels)
   {
-    const Ahead::Coarser& finer = known[i - 1];
+    known.push_back({ level.volume, level.fromHalfCells });
+  }
+  return known;
+}
+
+// Without up to `count` levels, as far as there are as many. The first one known is the whole
+// volume; others may have no values yet.
+std::vector<LevelsOfDetail::OnHost> LevelsOfDetail::Make(
+  std::vector<OnHost> known, std::size_t count, const std::atomic<bool>& givenUp)
+{
+  for (std::size_t i = 1; i <= count && !givenUp; ++i)
+  {
+    const OnHost& finer = known[i - 1];
     if (i == known.size())
     {
       const std::optional<CoarserStructure> coarser = coarsen(*finer.volume.structure);
@@ -182,28 +174,43 @@ LevelsOfDetail::Ahead LevelsOfDetail::Make(std::vector<Ahead::Coarser> known, st
       known[i].volume = coarsenValues(known[i - 1].volume, known[i].volume.structure);
     }
   }
-  known.erase(known.begin());
-  return { std::move(known) };
+  return known;
+}
+
+// Takes over what was made of what was known before, for `count` levels less.
+void LevelsOfDetail::Adopt(const std::vector<OnHost>& made, std::size_t count)
+{
+  for (std::size_t i = 1; i < made.size(); ++i)
+  {
+    if (i == this->Levels.size())
+    {
+      this->Levels.emplace_back();
+      this->Levels.back().volume.structure = made[i].volume.structure;
+      this->Levels.back().fromHalfCells = made[i].fromHalfCells;
+    }
+    Level& level = this->Levels[i];
+    if (!level.volume.values && level.volume.structure == made[i].volume.structure)
+    {
+      level.volume = made[i].volume;
+    }
+  }
+  this->CoarsestMade = this->CoarsestMade || made.size() <= count;
 }
 
 void LevelsOfDetail::makeAhead(int levelsLeftOut)
 {
-  const bool noneLeft =
-    this->CoarsestMade && static_cast<std::size_t>(levelsLeftOut) >= this->Levels.size();
+  const auto count = static_cast<std::size_t>(levelsLeftOut);
+  const bool noneLeft = this->CoarsestMade && count >= this->Levels.size();
   if (this->MadeAhead.valid() || this->empty() || noneLeft || levelsLeftOut <= this->ready())
   {
     return;
   }
-  std::vector<Ahead::Coarser> known;
-  for (const Level& level : this->Levels)
-  {
-    known.push_back({ level.volume, level.fromHalfCells });
-  }
-  this->GivenUp = std::make_shared<std::atomic<bool>>(false);
+  this->GivenUp = false;
+  this->CountAhead = count;
   try
   {
-    this->MadeAhead = std::async(std::launch::async, &LevelsOfDetail::Make, std::move(known),
-      static_cast<std::size_t>(levelsLeftOut), this->GivenUp);
+    this->MadeAhead = std::async(std::launch::async,
+      [this, known = this->Known(), count] { return Make(known, count, this->GivenUp); });
   }
   catch (const std::exception&) // no thread is to be had
   {
@@ -220,21 +227,7 @@ void LevelsOfDetail::TakeAhead()
   }
   try
   {
-    const Ahead made = this->MadeAhead.get();
-    for (std::size_t i = 0; i < made.coarser.size(); ++i)
-    {
-      if (i + 1 == this->Levels.size())
-      {
-        this->Levels.emplace_back();
-        this->Levels.back().volume.structure = made.coarser[i].volume.structure;
-        this->Levels.back().fromHalfCells = made.coarser[i].fromHalfCells;
-      }
-      Level& level = this->Levels[i + 1];
-      if (!level.volume.values && level.volume.structure == made.coarser[i].volume.structure)
-      {
-        level.volume = made.coarser[i].volume;
-      }
-    }
+    this->Adopt(this->MadeAhead.get(), this->CountAhead);
   }
   catch (const std::exception&) // most likely of too little memory
   {
@@ -245,10 +238,7 @@ void LevelsOfDetail::TakeAhead()
 // Waits until the level is made that is being made.
 void LevelsOfDetail::DropAhead()
 {
-  if (this->GivenUp)
-  {
-    *this->GivenUp = true;
-  }
+  this->GivenUp = true;
   this->MadeAhead = {};
 }
 

@@ -27,6 +27,8 @@ struct Selection
 class LevelsOfDetail
 {
 public:
+  ~LevelsOfDetail() { this->DropAhead(); }
+
   /// Another array or time step on the same structure keeps all but values; of another structure
   /// nothing is kept. An empty volume frees everything.
   void setVolume(const Volume& volume);
@@ -71,29 +73,26 @@ public:
 
 private:
   void Update(Level& level, const std::shared_ptr<Device>& device, const Selection& selection);
-  /// False: there is no coarser one.
-  bool AddCoarser();
   void DropFrom(std::size_t level);
 
-  // Volumes without levels, one more each, as far as there are as many.
-  struct Ahead
+  // What of a level does not need the device.
+  struct OnHost
   {
-    struct Coarser
-    {
-      Volume volume;
-      glm::dmat4 fromHalfCells{ 1.0 };
-    };
-    std::vector<Coarser> coarser;
+    Volume volume;
+    glm::dmat4 fromHalfCells{ 1.0 };
   };
-  static Ahead Make(std::vector<Ahead::Coarser> known, std::size_t count,
-    const std::shared_ptr<std::atomic<bool>>& givenUp);
+  std::vector<OnHost> Known() const;
+  static std::vector<OnHost> Make(
+    std::vector<OnHost> known, std::size_t count, const std::atomic<bool>& givenUp);
+  void Adopt(const std::vector<OnHost>& made, std::size_t count);
   void TakeAhead();
   void DropAhead();
 
-  std::vector<Level> Levels; // the whole volume, and then one level less each
-  bool CoarsestMade = false; // there are no more levels to leave out
-  std::future<Ahead> MadeAhead;
-  std::shared_ptr<std::atomic<bool>> GivenUp; // what is being made is of no use any more
+  std::vector<Level> Levels;          // the whole volume, and then one level less each
+  bool CoarsestMade = false;          // there are no more levels to leave out
+  std::atomic<bool> GivenUp{ false }; // what is being made is of no use any more
+  std::size_t CountAhead = 0;         // of levels that are left out of it
+  std::future<std::vector<OnHost>> MadeAhead;
   double UploadTime = 0.0;
   double SelectionTime = 0.0;
   std::size_t StructureUploads = 0;

@@ -43,14 +43,21 @@ vtkOverlappingAMR* outputOf(vtkExaBricksRedistribute* redistribute)
   return vtkOverlappingAMR::SafeDownCast(redistribute->GetOutputDataObject(0));
 }
 
-// Cells have their values, wherever they come from; all are drawn, each by one process.
-void checkCells(test::Checks& checks, vtkMPIController* controller)
+// What deal() gives each process, shared out.
+vtkSmartPointer<vtkExaBricksRedistribute> redistributeDealt(vtkMPIController* controller)
 {
-  vtkNew<vtkExaBricksRedistribute> redistribute;
+  auto redistribute = vtkSmartPointer<vtkExaBricksRedistribute>::New();
   redistribute->SetController(controller);
   redistribute->SetInputData(
     deal(controller->GetLocalProcessId(), controller->GetNumberOfProcesses()));
   redistribute->Update();
+  return redistribute;
+}
+
+// Cells have their values, wherever they come from; all are drawn, each by one process.
+void checkCells(test::Checks& checks, vtkMPIController* controller)
+{
+  const auto redistribute = redistributeDealt(controller);
   vtkIdType wrong = 0;
   vtkIdType held = 0;
   exabricks::forEachBlock(outputOf(redistribute),
@@ -108,11 +115,7 @@ void checkTimeSteps(test::Checks& checks, vtkMPIController* controller)
 // What a part cannot have alone is said.
 void checkMessages(test::Checks& checks, vtkMPIController* controller)
 {
-  vtkNew<vtkExaBricksRedistribute> redistribute;
-  redistribute->SetController(controller);
-  redistribute->SetInputData(
-    deal(controller->GetLocalProcessId(), controller->GetNumberOfProcesses()));
-  redistribute->Update();
+  const auto redistribute = redistributeDealt(controller);
   test::KeepDisplay display;
   test::Stage stage(outputOf(redistribute));
   stage.Property()->GetScalarOpacity()->AddPoint(0.0, 0.5);

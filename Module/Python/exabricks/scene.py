@@ -312,8 +312,8 @@ class VolumeScene:
         """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data.
 
         Of the mapper: reconstruction, steps, error tolerance, blend mode, levels, clipping planes, and cropping planes; of
-        the property: colors, opacities, their unit distance, iso-values, the plane of a slice, and whether it is shaded. Their other settings
-        are not kept.
+        the property: colors, opacities, their unit distance, iso-values, the plane of a slice, and whether it is shaded.
+        Their other settings are not kept.
         """
         camera = self.camera
         planes = _items(self.mapper.GetClippingPlanes())
