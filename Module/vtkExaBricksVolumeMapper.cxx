@@ -164,6 +164,11 @@ double vtkExaBricksVolumeMapper::GetOpacityTime()
   return this->Internals->Renderer.statistics().opacityTime;
 }
 
+double vtkExaBricksVolumeMapper::GetShadowTime()
+{
+  return this->Internals->Renderer.statistics().shadowTime;
+}
+
 double vtkExaBricksVolumeMapper::GetMarchTime()
 {
   return this->Internals->Renderer.statistics().marchTime;
@@ -419,6 +424,8 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Transfer2DYAxisArray: "
      << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "(none)") << "\n";
   os << indent << "UseNanColor: " << this->UseNanColor << "\n";
+  os << indent << "GlobalIlluminationReach: " << this->GlobalIlluminationReach << "\n";
+  os << indent << "VolumetricScatteringBlending: " << this->VolumetricScatteringBlending << "\n";
   os << indent << "LevelRange: " << this->LevelRange[0] << ", " << this->LevelRange[1] << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";

@@ -314,6 +314,30 @@ public:
 
   ///@{
   /**
+   * How light goes through a shaded volume, with blend mode composite, as of
+   * vtkGPUVolumeRayCastMapper (VTK 9.2 and later). VolumetricScatteringBlending: 0 (default), all
+   * that is seen is reflected by surfaces, along the normals; up to 1, what is thin and where the
+   * field does not change rather scatters light as a medium; of 2 everything does, and normals do
+   * not count. By the property's ScatteringAnisotropy (VTK 9.2 and later) more of it goes onwards,
+   * or back. GlobalIlluminationReach: how far the volume casts shadows on itself, for what is
+   * scattered: 0 (default), not at all; 1, through all of the bounds; half of them at about 0.88.
+   *
+   * How much of each light comes to each cell is found once for as long as lights and opacities
+   * stay, wherever the camera is, and is reconstructed between cells as the field is: shadows are
+   * as fine as the cells are. That takes memory for as many values as cells and lights, and about
+   * the time in which rays through as many pixels as there are cells are marched. A headlight moves
+   * with the camera; while something moves, shadows are those of where the lights were. What is
+   * behind opaque geometry is not shadowed by it. Of several volumes, or processes, each casts
+   * shadows on itself alone.
+   */
+  vtkSetClampMacro(GlobalIlluminationReach, float, 0.0f, 1.0f);
+  vtkGetMacro(GlobalIlluminationReach, float);
+  vtkSetClampMacro(VolumetricScatteringBlending, float, 0.0f, 2.0f);
+  vtkGetMacro(VolumetricScatteringBlending, float);
+  ///@}
+
+  ///@{
+  /**
    * The levels of the AMR that are drawn, from the first to the last number: all by default. See
    * vtkExaBricksBuilder::SetLevelRange().
    */
@@ -401,11 +425,13 @@ public:
   ///@{
   /**
    * Seconds that it took, the last time that each was done, to upload the volume, to upload tables
-   * of changed colours, to select the active regions of changed opacities anew, and to march rays.
+   * of changed colours, to select the active regions of changed opacities anew, to find how much of
+   * the lights comes to the cells, and to march rays.
    */
   double GetUploadTime();
   double GetColorTime();
   double GetOpacityTime();
+  double GetShadowTime();
   double GetMarchTime();
   ///@}
 
@@ -481,6 +507,8 @@ protected:
   int OpacityComponent = 0;
   char* Transfer2DYAxisArray = nullptr;
   bool UseNanColor = false;
+  float GlobalIlluminationReach = 0.0f;
+  float VolumetricScatteringBlending = 0.0f;
   int LevelRange[2] = { 0, VTK_INT_MAX };
   double FinalColorWindow = 1.0;
   double FinalColorLevel = 0.5;

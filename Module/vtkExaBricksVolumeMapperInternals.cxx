@@ -140,6 +140,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
       { "UseNanColor counts with blend modes composite and slice, one component and a color "
         "function of three channels: cells without a value are left out." } });
   }
+  this->Report(this->CheckScattering(property, bricked));
   if (bricked.volume.structure->hierarchy.whole)
   {
     // Each process would choose steps and levels of its own; and values of rays end with the part.
@@ -178,6 +179,36 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   this->Report(
     { {}, exabricks::checkCategories(property, bricked, this->FindReconstruction(property)) });
   return this->Report(exabricks::checkMedium(this->Self, property, bricked));
+}
+
+// Whether what is set of scattering and shadows counts.
+exabricks::Requests vtkExaBricksVolumeMapper::vtkInternals::CheckScattering(
+  vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const
+{
+  exabricks::Requests requests;
+  const bool scatters = this->Self->VolumetricScatteringBlending > 0.0f;
+  const bool shadows = this->Self->GlobalIlluminationReach > 0.0f;
+  if (shadows && !scatters)
+  {
+    requests.drawnWithout.emplace_back(
+      "GlobalIlluminationReach counts with a VolumetricScatteringBlending above 0: the volume "
+      "is drawn without shadows.");
+  }
+  if (scatters &&
+    (exabricks::findBlending(this->Self) != exabricks::Blending::Composite ||
+      !property->GetShade(bricked.propertyComponent)))
+  {
+    requests.drawnWithout.emplace_back(
+      "VolumetricScatteringBlending counts with blend mode composite and the property's Shade: the "
+      "volume is drawn without it.");
+  }
+  else if (scatters && shadows && bricked.volume.structure->hierarchy.whole)
+  {
+    requests.drawnWithout.emplace_back(
+      "One of several processes casts shadows on its own part alone, so that parts meet in seams: "
+      "set GlobalIlluminationReach to 0 for pictures without shadows and seams.");
+  }
+  return requests;
 }
 
 // Hands the renderer what has changed. Throws std::bad_alloc.

@@ -72,6 +72,8 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   std::string CheckData(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
+  exabricks::Requests CheckScattering(
+    vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const;
   void UpdateRenderer(
     vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   void UpdateVolume(const std::shared_ptr<const exabricks::BrickedVolume>& bricked, bool completed);

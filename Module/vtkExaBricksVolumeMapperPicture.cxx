@@ -52,7 +52,8 @@ bool madeNothing(const exabricks::VolumeRenderer::Statistics& before,
 {
   return before.structureUploads == after.structureUploads &&
     before.valueUploads == after.valueUploads && before.pipelineBuilds == after.pipelineBuilds &&
-    before.colorTime == after.colorTime && before.opacityTime == after.opacityTime &&
+    before.shadowSearches == after.shadowSearches && before.colorTime == after.colorTime &&
+    before.opacityTime == after.opacityTime &&
     (before.samplingTime == after.samplingTime || after.samplingTime == 0.0);
 }
 }
@@ -79,6 +80,13 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
     view.undefinedColor = exabricks::findNanColor(vol->GetProperty());
   }
   view.lighting = exabricks::makeLighting(ren, vol, bricked);
+  if (view.lighting && view.blending == exabricks::Blending::Composite &&
+    this->Self->VolumetricScatteringBlending > 0.0f)
+  {
+    view.lighting->scattering = exabricks::Scattering{ this->Self->VolumetricScatteringBlending,
+      exabricks::findScatteringAnisotropy(vol->GetProperty()),
+      this->Self->GlobalIlluminationReach };
+  }
   return view;
 }
 

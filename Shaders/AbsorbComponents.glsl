@@ -73,13 +73,15 @@ vec4 absorbComponents(Piece piece)
     }
     found *= weight * (units / piece.units) * color;
     surface *= color;
-    if (isShaded)
+    // It is one or the other.
+    const bool isSurface = surface.a > 0.0;
+    vec4 seen = isSurface ? surface : found;
+    if (isShaded && seen.a > 0.0)
     {
-      found = found.a > 0.0 ? shade(found, spot, i) : found;
-      surface = surface.a > 0.0 ? shade(surface, spot, i) : surface;
+      seen = shade(seen, isSurface ? 1.0 : opacityOfUnit(1.0 - exp(-seen.a), 1.0), spot, i);
     }
-    extinction += found;
-    surfaces += surface;
+    extinction += isSurface ? vec4(0.0) : seen;
+    surfaces += isSurface ? seen : vec4(0.0);
   }
   return surfaces.a > 0.0 ? surfaces / surfaces.a : absorb(extinction, piece.units);
 }

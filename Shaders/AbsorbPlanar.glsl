@@ -26,7 +26,8 @@ vec4 absorbPlanar(Piece piece)
   }
   if (isShaded && gathered.a > 0.0)
   {
-    gathered = shade(gathered, spotOfComponent(piece, 0u), 0u);
+    gathered = shade(
+      gathered, opacityOfUnit(gathered.a, piece.units), spotOfComponent(piece, 0u), 0u);
   }
   return gathered;
 }

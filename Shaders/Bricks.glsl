@@ -9,7 +9,9 @@ Brick readBrick(uint index)
   Brick brick;
   brick.lo = ivec3(first, second.x);
   brick.width = int(second.y);
-  brick.dimensions = unpackWord(bricks.words[at + 2u]).x;
+  const uvec2 third = unpackWord(bricks.words[at + 2u]);
+  brick.dimensions = third.x;
+  brick.number = third.y;
   brick.values = bricks.words[at + 3u];
   return brick;
 }

@@ -21,8 +21,10 @@ uvec2 unpackWord(Word word) { return word; }
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameBuffer { Frame frame; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bricks { Word words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ActiveBoxes { ActiveBox items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ShadowedBricks { ShadowedBrick items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices { uint items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer KdNodes { KdNode items[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Addresses { Word words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Values { float items[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TransferBins { Word words[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer TransferKnots { TransferKnot items[]; };

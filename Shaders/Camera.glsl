@@ -16,6 +16,22 @@ struct Line
 
 Pair w(Pair4 a) { return Pair(a.high.w, a.low.w); }
 
+// Makes every distance along a line finite: no component of its direction is 0.
+Pair3 withoutZeros(Pair3 direction)
+{
+  const bvec3 none = lessThan(abs(direction.high), vec3(1e-12));
+  direction.high = mix(direction.high,
+    mix(vec3(-1e-12), vec3(1e-12), greaterThanEqual(direction.high, vec3(0.0))), none);
+  direction.low = mix(direction.low, vec3(0.0), none);
+  return direction;
+}
+
+float unitsAlong(FrameBuffer f, vec3 direction)
+{
+  return length(f.frame.halfCellsToUnitsX * direction.x + f.frame.halfCellsToUnitsY * direction.y +
+    f.frame.halfCellsToUnitsZ * direction.z);
+}
+
 // The line of a pixel. False: it has no length.
 bool findLine(FrameBuffer f, uvec2 pixel, out Line line)
 {
@@ -34,15 +50,8 @@ bool findLine(FrameBuffer f, uvec2 pixel, out Line line)
   {
     return false;
   }
-  line.direction = divide(path, line.extent);
-  // No component is 0, so that every distance is finite.
-  const bvec3 none = lessThan(abs(line.direction.high), vec3(1e-12));
-  line.direction.high = mix(line.direction.high,
-    mix(vec3(-1e-12), vec3(1e-12), greaterThanEqual(line.direction.high, vec3(0.0))), none);
-  line.direction.low = mix(line.direction.low, vec3(0.0), none);
-  line.unitsPerHalfCell = length(f.frame.halfCellsToUnitsX * line.direction.high.x +
-    f.frame.halfCellsToUnitsY * line.direction.high.y +
-    f.frame.halfCellsToUnitsZ * line.direction.high.z);
+  line.direction = withoutZeros(divide(path, line.extent));
+  line.unitsPerHalfCell = unitsAlong(f, line.direction.high);
   return true;
 }
 

@@ -85,7 +85,7 @@ void addSurface(float value, Cursor cursor, Ray ray, float at, inout Accumulator
   {
     gradient = sampleFieldJet(cursor.brick, cursor.others, ray, at).xyz;
   }
-  const Spot spot = spotAt(ray, cursor.brick, at, gradient);
+  const Spot spot = spotAt(ray, cursor.brick, cursor.others, at, gradient);
   vec4 color = colorOfSurface(value, gradient, cursor, ray, at);
   if (hasGradientOpacity)
   {
@@ -97,7 +97,7 @@ void addSurface(float value, Cursor cursor, Ray ray, float at, inout Accumulator
     }
     color *= opacityOfGradient(opacitySpot, 0u);
   }
-  addBehind(color, spot, gathered);
+  addBehind(color, 1.0, spot, gathered);
 }
 
 // The surfaces that the ray passes from one distance and value to another. Where the values are those

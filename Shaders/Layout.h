@@ -71,10 +71,10 @@ EXABRICKS_CONST uint MOST_COMPONENTS = 4u;
 // A box of cells of one level. 32 bytes, which shaders read as BRICK_WORDS words of 64 bits.
 struct Brick
 {
-  ivec3 lo;        // lower corner, half cells
-  int width;       // of a cell, in finest cells
-  uint dimensions; // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
-  uint unused;
+  ivec3 lo;             // lower corner, half cells
+  int width;            // of a cell, in finest cells
+  uint dimensions;      // cells along x, y, z in 8 bits each, and BRICK_HAS_ABSENT_CELLS
+  uint number;          // its own, from 0
   DeviceAddress values; // of the first one; x runs fastest, and within a cell its components
 };
 EXABRICKS_CONST uint BRICK_WORDS = 4u;
@@ -161,6 +161,7 @@ struct Light
   float cosineOfCone; // below 0: it shines in all directions
   float exponent;
   uint positional;
+  vec3 inHalfCells; // its place, or the direction towards it, of length 1 there
 };
 EXABRICKS_CONST uint MOST_LIGHTS = 8u;
 struct Material
@@ -175,6 +176,14 @@ struct Material
 // finest cell.
 EXABRICKS_CONST uint GRADIENT_OPACITIES = 1024u; // entries of the table
 EXABRICKS_CONST float GREATEST_GRADIENT = 0.25f; // of the last one
+
+// A brick whose cells' shares of light are found (ShadowCells.glsl), and how many cells the ones
+// before it have together. 8 bytes.
+struct ShadowedBrick
+{
+  uint brick;
+  uint firstCell;
+};
 
 // A picture may have at most so many.
 EXABRICKS_CONST uint MOST_CLIPPING_PLANES = 32u;
@@ -263,6 +272,18 @@ struct Frame
 
   ivec3 partLower; // of the box that is drawn, where that is a part of the bounds; half cells
   ivec3 partUpper;
+
+  // For variants that scatter: how the medium is lit (Core/Lighting.h)
+  // Of [light / components of a cell][brick]: where the brick's shares of these lights begin, which
+  // lie as its values do
+  DeviceAddress shares;
+  DeviceAddress shadowedBricks; // ShadowedBrick[]
+  uint shadowedBrickCount;
+  uint brickCount;
+  float shadowReach; // along an axis as a multiple of the bounds' size along it; 0: nothing casts
+                     // shadows
+  float scatteringBlending;
+  float scatteringAnisotropy;
 };
 
 // What one dispatch marches: some rows of a picture, or of a grid of its pixels, spaced evenly
@@ -276,6 +297,7 @@ struct Band
   uint firstRow;        // of the grid; of a list: its first pixel
   uint spacing;         // of the grid, pixels; 0: a list
   uint count;           // of the list's pixels that are marched
+  uint light;           // of shadows: whose shares are found, in `count` cells from firstRow on
 };
 
 // What is done to predict the pixels of a grid from those at its even places (Prediction.glsl).
@@ -334,8 +356,9 @@ static_assert(sizeof(TransferKnot) == 56, "as in GLSL's scalar layout");
 static_assert(sizeof(Band) == 40 && sizeof(Refinement) == 80 && sizeof(RayCheck) == 12,
   "as in GLSL's scalar layout");
 static_assert(
-  sizeof(Frame) == 2400 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
-static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2336,
+  sizeof(Frame) == 2536 && offsetof(Frame, bricks) == 224, "as in GLSL's scalar layout");
+static_assert(offsetof(Frame, lights) == 404 && offsetof(Frame, extremes) == 2432 &&
+    offsetof(Frame, shares) == 2496,
   "as in GLSL's scalar layout");
 } // namespace layout
 } // namespace exabricks

@@ -8,12 +8,39 @@ struct Spot
   float width;    // of a cell there, in finest cells
   vec3 place;     // of its middle, half cells
   vec3 direction; // of the ray
+#ifdef FAMILY_SCATTERING
+  Ray ray; // and where on it and in which bricks the middle is
+  float distance;
+  Brick brick;
+  uint others;
+#endif
 };
 
-Spot spotAt(Ray ray, Brick brick, float distance, vec3 gradient)
+Spot spotAt(Ray ray, Brick brick, uint others, float distance, vec3 gradient)
 {
-  return Spot(gradient, float(brick.width),
-    vec3(ray.base) + (ray.fraction + distance * ray.direction), ray.direction);
+  Spot spot;
+  spot.gradient = gradient;
+  spot.width = float(brick.width);
+  spot.place = vec3(ray.base) + (ray.fraction + distance * ray.direction);
+  spot.direction = ray.direction;
+#ifdef FAMILY_SCATTERING
+  spot.ray = ray;
+  spot.distance = distance;
+  spot.brick = brick;
+  spot.others = others;
+#endif
+  return spot;
+}
+
+float shareOfLight(Spot spot, uint light)
+{
+#ifdef FAMILY_SCATTERING
+  if (constants.frame.shadowReach > 0.0)
+  {
+    return shareOfLight(spot.brick, spot.others, spot.ray, spot.distance, light);
+  }
+#endif
+  return 1.0;
 }
 
 vec3 toWorld(vec3 halfCells)
@@ -61,8 +88,33 @@ float shineOf(float cosine, vec3 normal, vec3 toLight, vec3 view, float power)
   return shine > 0.0 ? pow(shine, power) : 0.0;
 }
 
-// Premultiplied colour and opacity, as they are lit, of the material of a component.
-vec4 shade(vec4 color, Spot spot, uint component)
+// How much of the light that a medium scatters goes in a direction at a cosine from the light's own; all
+// alike: 1 (Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941).
+float phaseOf(float cosine)
+{
+  const float g = constants.frame.scatteringAnisotropy;
+  const float d = 1.0 + g * g - 2.0 * g * cosine;
+  return abs(g) < 0.01 ? 1.0 : (1.0 - g * g) / max(d * sqrt(d), 1e-6);
+}
+
+// How much of what is seen of a place is scattered by a medium, and not reflected by a surface, which is
+// likelier where the field changes and the unit distance's opacity is great: as VTK's GPU mapper has it.
+float shareOfScattering(bool changes, float opacity)
+{
+  const float blending = constants.frame.scatteringBlending;
+  const float medium = exp(changes ? -blending * opacity : 0.0);
+  return blending < 1.0 ? blending * medium : (2.0 - blending) * medium + blending - 1.0;
+}
+
+// The opacity of the unit distance, of that of a piece of so many.
+float opacityOfUnit(float opacity, float units)
+{
+  return !isScattering || opacity >= 1.0 ? 1.0 : 1.0 - pow(1.0 - opacity, 1.0 / units);
+}
+
+// Premultiplied colour and opacity, as they are lit, of the material of a component. `opacity`: of the
+// unit distance.
+vec4 shade(vec4 color, float opacity, Spot spot, uint component)
 {
   const Material material = constants.frame.materials[component];
   const vec3 normal = normalAt(spot);
@@ -70,6 +122,7 @@ vec4 shade(vec4 color, Spot spot, uint component)
   const vec3 place = toWorld(spot.place);
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
+  vec3 scattered = vec3(0.0);
   for (uint i = 0u; i < constants.frame.lightCount; ++i)
   {
     const Light light = constants.frame.lights[i];
@@ -82,9 +135,21 @@ vec4 shade(vec4 color, Spot spot, uint component)
     {
       specular += light.specular * (reaching * shineOf(cosine, normal, toLight, view, material.specularPower));
     }
+    if (isScattering)
+    {
+      scattered +=
+        light.diffuse * (reaching * phaseOf(-dot(toLight, view)) * shareOfLight(spot, i));
+    }
   }
-  return vec4(color.rgb * (material.ambient + material.diffuse * diffuse) +
-      color.a * material.specular * specular, color.a);
+  const vec3 surface = color.rgb * (material.ambient + material.diffuse * diffuse) +
+    color.a * material.specular * specular;
+  if (!isScattering)
+  {
+    return vec4(surface, color.a);
+  }
+  const vec3 medium = color.rgb * (material.ambient + material.diffuse * scattered);
+  return vec4(
+    mix(surface, medium, shareOfScattering(normal != vec3(0.0), opacity)), color.a);
 }
 
 // A gradient's magnitude, as a part of the greatest one.

@@ -1,6 +1,7 @@
 #version 460
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches the ray of each pixel region by region, front to back. Compiled once for each traversal:
+// Marches the ray of each pixel region by region, front to back, or with MARCH_SHADOWS that of each cell
+// to a light. Compiled once for each traversal:
 // TRAVERSAL_KDTREE walks the k-d tree over the regions; TRAVERSAL_RAYQUERY asks an acceleration
 // structure of the active regions for the next few.
 #extension GL_GOOGLE_include_directive : require
@@ -13,20 +14,26 @@
 #include "Variant.glsl"
 #include "ToIndex.glsl"
 
-// The pixel's ray.
+// The ray of a pixel, or of a cell.
 #include "Camera.glsl"
-#include "Segments.glsl"
 #include "Ray.glsl"
+#include "Bricks.glsl"
+#ifdef MARCH_SHADOWS
+#include "LightWay.glsl"
+#else
+#include "PixelWay.glsl"
+#endif
+#include "Segments.glsl"
 #include "Advance.glsl"
 
 // The field along it.
-#include "Bricks.glsl"
 #include "LeafCell.glsl"
 #include "Trilinear.glsl"
 #include "Basis.glsl"
 #include "Completed.glsl"
 #include "Field.glsl"
 #include "Gradient.glsl"
+#include "Shadows.glsl"
 
 // What it looks like.
 #include "TransferFunction.glsl"
@@ -57,4 +64,8 @@
 #else
 #include "TraverseRayQuery.glsl"
 #endif
+#ifdef MARCH_SHADOWS
+#include "ShadowCells.glsl"
+#else
 #include "Pixel.glsl"
+#endif

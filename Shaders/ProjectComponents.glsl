@@ -70,7 +70,7 @@ vec4 colorOfComponents(Piece piece)
   if (mixing == MIXING_PLANAR)
   {
     const vec4 color = colorOfPlanar(piece.to.xy);
-    return isShaded && color.a > 0.0 ? shade(color, spotOfComponent(piece, 0u), 0u) : color;
+    return isShaded && color.a > 0.0 ? shade(color, color.a, spotOfComponent(piece, 0u), 0u) : color;
   }
   const vec4 colors = mixing == MIXING_INDEPENDENT
     ? vec4(1.0)
@@ -84,7 +84,7 @@ vec4 colorOfComponents(Piece piece)
     const TransferPart part = findPart(piece.to[component]);
     vec4 color = colors * mix(part.lower, part.upper, part.fraction);
     color *= hasGradientOpacity ? opacityOfGradient(spot, i) : 1.0;
-    color = isShaded && color.a > 0.0 ? shade(color, spot, i) : color;
+    color = isShaded && color.a > 0.0 ? shade(color, color.a, spot, i) : color;
     sum += constants.frame.componentWeights[i] * color;
   }
   return clamp(sum, 0.0, 1.0);
@@ -101,7 +101,8 @@ vec4 toPixelOfComponents(Accumulator gathered)
   {
     // as at the start: the ray has met no values
     const bool met = gathered.values.x >= 0.0 && gathered.values.x <= 1.0;
-    const Spot nowhere = Spot(vec3(0.0), 1.0, vec3(0.0), vec3(0.0));
+    Spot nowhere;
+    nowhere.gradient = vec3(0.0);
     return met
       ? colorOfComponents(Piece(gathered.values, gathered.values, 0.0, mat4x3(0.0), nowhere))
       : vec4(0.0);

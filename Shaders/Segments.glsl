@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pieces of a pixel's line are marched, front to back: what is left between two depths, in the
-// bounds, within the clipping planes and of the cropping regions. More of them (layers of depth) are
-// to be found here alone: whoever walks along the ray asks for one number after the other.
+// Which pieces of a line are marched, front to back: what is left of its way, in the bounds, within the
+// clipping planes and of the cropping regions. More of them (layers of depth) are to be found here
+// alone: whoever walks along the ray asks for one number after the other.
 #include "Clipping.glsl"
 #include "Cropping.glsl"
 
@@ -17,27 +17,12 @@ struct Segment
 };
 
 // The segment of that number. False: the ray has none of it, nor any behind.
-bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
+bool findSegment(FrameBuffer f, uvec2 place, int number, out Segment segment)
 {
-  const uint place = pixel.y * f.frame.width + pixel.x;
-  float near = 0.0;
-  if (beginsAtDepth)
-  {
-    near = Values(f.frame.nearDepth).items[place];
-  }
-  float far = 1.0;
-  if (f.frame.hasDepth != 0)
-  {
-    far = Values(f.frame.depth).items[place];
-  }
-  if ((beginsAtDepth && !(near < far)) || !findLine(f, pixel, segment.line))
+  Pair near;
+  if (!findWay(f, place, segment.line, near, segment.end))
   {
     return false;
-  }
-  segment.end = segment.line.extent;
-  if (f.frame.hasDepth != 0)
-  {
-    segment.end = distanceAt(f, segment.line, far);
   }
   // The bounds' faces by floats, which miss them by some units in the last place of coordinates: a
   // segment begins as much before them.
@@ -53,7 +38,7 @@ bool findSegment(FrameBuffer f, uvec2 pixel, int number, out Segment segment)
   segment.begin = makePair(max(entry, 0.0));
   if (beginsAtDepth)
   {
-    segment.begin = greater(segment.begin, distanceAt(f, segment.line, near));
+    segment.begin = greater(segment.begin, near);
   }
   if (clipped && !clip(f, segment.line, segment.begin, segment.end))
   {

@@ -56,6 +56,13 @@ layout(constant_id = 9) const bool hasGradientOpacity = false;
 #else
 const bool hasGradientOpacity = false;
 #endif
+// What is lit scatters light beside, as a medium does.
+#if defined(FAMILY_COMPOSITE) || defined(FAMILY_COMPONENTS)
+#define FAMILY_SCATTERING
+layout(constant_id = 13) const bool isScattering = false;
+#else
+const bool isScattering = false;
+#endif
 // Cells whose value is undefined have a colour; else they are absent.
 #if defined(FAMILY_COMPOSITE) || defined(FAMILY_SURFACE)
 layout(constant_id = 11) const bool showsUndefined = false;

@@ -56,6 +56,19 @@ Light makeLight(vtkLight* from, const glm::dvec3& corner)
   return light;
 }
 
+// Properties of earlier versions of VTK have none.
+template <typename Property>
+auto scatteringAnisotropyOf(Property* property, int)
+  -> decltype(property->GetScatteringAnisotropy())
+{
+  return property->GetScatteringAnisotropy();
+}
+template <typename Property>
+double scatteringAnisotropyOf(Property*, ...)
+{
+  return 0.0;
+}
+
 bool isShaded(vtkVolumeProperty* property, std::size_t components)
 {
   for (std::size_t k = 0; k < std::min<std::size_t>(components, layout::MOST_COMPONENTS); ++k)
@@ -80,6 +93,11 @@ Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
       ": the volume is shaded by the first ones. Switch some off, or remove them.");
   }
   return requests;
+}
+
+double findScatteringAnisotropy(vtkVolumeProperty* property)
+{
+  return scatteringAnisotropyOf(property, 0);
 }
 
 std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked)

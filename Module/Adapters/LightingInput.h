@@ -17,6 +17,9 @@ namespace exabricks
 /// Whether all lights that shine are heeded.
 Requests checkLights(vtkRenderer* ren, vtkVolume* vol);
 
+/// Of the light that the property's medium scatters; 0 with versions of VTK that have none.
+double findScatteringAnisotropy(vtkVolumeProperty* property);
+
 /// None where the property's Shade is off. Lights are taken where they are in this picture:
 /// vtkRenderer has moved headlights and camera lights with the camera.
 std::optional<Lighting> makeLighting(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a volume is shaded: Phong's model, on normals against the gradient of the field.
+// How a volume is lit: Phong's model, on normals against the gradient of the field, and light that
+// its medium scatters and keeps from what is behind.
 #ifndef ExaBricksCoreLighting_h
 #define ExaBricksCoreLighting_h
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 namespace exabricks
@@ -47,19 +49,35 @@ inline bool operator==(const Material& a, const Material& b)
     a.specularPower == b.specularPower;
 }
 
+/// Of light that comes through the medium and is scattered once.
+struct Scattering
+{
+  /// In [0, 2]: up to 1 the part of it grows that is seen in place of what Phong's model reflects,
+  /// where the field changes little or is thin, above 1 elsewhere too; of 2 it is all.
+  double blending = 1.0;
+  double anisotropy = 0.0; // Henyey and Greenstein's, in (-1, 1); above 0: onwards
+  double reach = 0.0; // in [0, 1], how far shadows fall: 0 none do, 1 through all of the bounds
+};
+
+inline bool operator==(const Scattering& a, const Scattering& b)
+{
+  return a.blending == b.blending && a.anisotropy == b.anisotropy && a.reach == b.reach;
+}
+
 struct Lighting
 {
   /// Of each independent component; of one, and of dependent ones, the first.
   std::array<Material, layout::MOST_COMPONENTS> materials;
   bool twoSided = true; // light from behind counts as much
   std::vector<Light> lights;
-  glm::dmat3 dataToWorld{ 1.0 }; // linear
+  glm::dmat3 dataToWorld{ 1.0 };        // linear
+  std::optional<Scattering> scattering; // for Blending::Composite
 };
 
 inline bool operator==(const Lighting& a, const Lighting& b)
 {
   return a.materials == b.materials && a.twoSided == b.twoSided && a.lights == b.lights &&
-    a.dataToWorld == b.dataToWorld;
+    a.dataToWorld == b.dataToWorld && a.scattering == b.scattering;
 }
 }
 

@@ -105,6 +105,7 @@ void DeviceVolume::UploadBricks(const Volume& volume)
       record.width = static_cast<int>(structure.width(brick));
       record.dimensions = n.x | n.y << 8 | n.z << 16 |
         (volume.values->brickHasAbsentCells[i] ? layout::BRICK_HAS_ABSENT_CELLS : 0u);
+      record.number = static_cast<std::uint32_t>(i);
       record.values = buffer.values.address() +
         (firstValue[i] - firstValue[buffer.firstBrick]) * volume.components() * sizeof(float);
       records.push_back(record);
@@ -112,6 +113,24 @@ void DeviceVolume::UploadBricks(const Volume& volume)
   }
   this->Bricks = makeBuffer(this->Owner, records, "the bricks");
   this->BrickHasAbsentCells = volume.values->brickHasAbsentCells;
+}
+
+std::vector<vk::DeviceAddress> DeviceVolume::makeAlike(
+  const Volume& volume, const Purpose& purpose, std::vector<Buffer>& buffers) const
+{
+  const std::vector<std::uint64_t>& firstValue = volume.values->firstValue;
+  std::vector<vk::DeviceAddress> addresses;
+  addresses.reserve(volume.structure->bricks.size());
+  for (const ValueBuffer& buffer : this->Values)
+  {
+    buffers.emplace_back(this->Owner, buffer.values.bytes(), Residence::Device, purpose);
+    for (std::size_t i = buffer.firstBrick; i < buffer.lastBrick; ++i)
+    {
+      addresses.push_back(buffers.back().address() +
+        (firstValue[i] - firstValue[buffer.firstBrick]) * volume.components() * sizeof(float));
+    }
+  }
+  return addresses;
 }
 
 void DeviceVolume::UploadLists(const RegionTree& tree)

@@ -24,6 +24,11 @@ public:
   /// Uploads what a traversal walks: the boxes, or without any the k-d tree. Throws Failure.
   void setActive(ActiveRegions active);
 
+  /// Room for as many more values, which lie as those of the volume do, in `buffers`; returns where
+  /// those of each brick begin. Throws Failure.
+  std::vector<vk::DeviceAddress> makeAlike(
+    const Volume& volume, const Purpose& purpose, std::vector<Buffer>& buffers) const;
+
   std::size_t activeRegions() const { return this->Regions; }
   std::size_t activeBoxes() const { return this->BoxCount; }
   vk::DeviceSize bytes() const;

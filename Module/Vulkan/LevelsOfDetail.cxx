@@ -104,6 +104,25 @@ LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
   return nullptr;
 }
 
+ActiveRegions LevelsOfDetail::select(const Volume& volume, const Selection& selection)
+{
+  std::vector<const TransferFunction*> shown;
+  for (const std::optional<TransferFunction>& function : selection.visibility)
+  {
+    shown.push_back(function ? &*function : nullptr);
+  }
+  return shown.empty() ? selectAllRegions(volume, selection.form)
+                       : selectActiveRegions(volume, shown, selection.weights, selection.form);
+}
+
+void LevelsOfDetail::invalidateShadows()
+{
+  for (Level& level : this->Levels)
+  {
+    level.shadows.reset();
+  }
+}
+
 void LevelsOfDetail::Update(
   Level& level, const std::shared_ptr<Device>& device, const Selection& selection)
 {
@@ -128,14 +147,8 @@ void LevelsOfDetail::Update(
   if (!level.activeOnDevice)
   {
     const Stopwatch watch;
-    std::vector<const TransferFunction*> shown;
-    for (const std::optional<TransferFunction>& function : selection.visibility)
-    {
-      shown.push_back(function ? &*function : nullptr);
-    }
-    level.onDevice->setActive(shown.empty()
-        ? selectAllRegions(level.volume, selection.form)
-        : selectActiveRegions(level.volume, shown, selection.weights, selection.form));
+    level.onDevice->setActive(select(level.volume, selection));
+    level.shadows.reset();
     level.activeOnDevice = true;
     this->SelectionTime = finest ? watch.seconds() : this->SelectionTime;
   }
@@ -277,6 +290,7 @@ void LevelsOfDetail::dropDevice()
 {
   for (Level& level : this->Levels)
   {
+    level.shadows.reset();
     level.onDevice.reset();
     level.valuesOnDevice = false;
     level.activeOnDevice = false;
@@ -289,6 +303,7 @@ vk::DeviceSize LevelsOfDetail::bytes() const
   for (const Level& level : this->Levels)
   {
     bytes += level.onDevice ? level.onDevice->bytes() : 0;
+    bytes += level.shadows ? level.shadows->bytes() : 0;
   }
   return bytes;
 }

@@ -6,6 +6,7 @@
 
 #include "Core/Appearance.h"
 #include "Core/Coarsening.h"
+#include "Vulkan/CellShadows.h"
 #include "Vulkan/DeviceVolume.h"
 
 #include <atomic>
@@ -40,6 +41,7 @@ public:
     Volume volume;
     glm::dmat4 fromHalfCells{ 1.0 };        // of the whole volume
     std::unique_ptr<DeviceVolume> onDevice; // null before it is uploaded
+    std::unique_ptr<CellShadows> shadows;   // null before any are cast
     bool valuesOnDevice = false;            // and not those of another array or time step
     bool activeOnDevice = false;            // and selected by the present transfer function
   };
@@ -55,6 +57,10 @@ public:
   void makeAhead(int levelsLeftOut);
   /// How many levels may be left out of what was made so far, on the host.
   int ready();
+
+  static ActiveRegions select(const Volume& volume, const Selection& selection);
+  /// Other colours or opacities cast other shadows.
+  void invalidateShadows();
 
   /// The active regions have to be selected anew.
   void invalidateSelection();

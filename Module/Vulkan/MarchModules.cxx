@@ -2,8 +2,12 @@
 #include "Vulkan/MarchModules.h"
 
 #include "MarchKdTreeComponentsInt64Spirv.h"
+#include "MarchKdTreeComponentsShadowsInt64Spirv.h"
+#include "MarchKdTreeComponentsShadowsSpirv.h"
 #include "MarchKdTreeComponentsSpirv.h"
 #include "MarchKdTreeCompositeInt64Spirv.h"
+#include "MarchKdTreeCompositeShadowsInt64Spirv.h"
+#include "MarchKdTreeCompositeShadowsSpirv.h"
 #include "MarchKdTreeCompositeSpirv.h"
 #include "MarchKdTreeInt64Spirv.h"
 #include "MarchKdTreeProjectionInt64Spirv.h"
@@ -12,8 +16,12 @@
 #include "MarchKdTreeSurfaceInt64Spirv.h"
 #include "MarchKdTreeSurfaceSpirv.h"
 #include "MarchRayQueryComponentsInt64Spirv.h"
+#include "MarchRayQueryComponentsShadowsInt64Spirv.h"
+#include "MarchRayQueryComponentsShadowsSpirv.h"
 #include "MarchRayQueryComponentsSpirv.h"
 #include "MarchRayQueryCompositeInt64Spirv.h"
+#include "MarchRayQueryCompositeShadowsInt64Spirv.h"
+#include "MarchRayQueryCompositeShadowsSpirv.h"
 #include "MarchRayQueryCompositeSpirv.h"
 #include "MarchRayQueryInt64Spirv.h"
 #include "MarchRayQueryProjectionInt64Spirv.h"
@@ -59,6 +67,12 @@ const Family composite{ MarchKdTreeCompositeSpirv, MarchKdTreeCompositeInt64Spir
   MarchRayQueryCompositeSpirv, MarchRayQueryCompositeInt64Spirv };
 const Family components{ MarchKdTreeComponentsSpirv, MarchKdTreeComponentsInt64Spirv,
   MarchRayQueryComponentsSpirv, MarchRayQueryComponentsInt64Spirv };
+const Family compositeShadows{ MarchKdTreeCompositeShadowsSpirv,
+  MarchKdTreeCompositeShadowsInt64Spirv, MarchRayQueryCompositeShadowsSpirv,
+  MarchRayQueryCompositeShadowsInt64Spirv };
+const Family componentsShadows{ MarchKdTreeComponentsShadowsSpirv,
+  MarchKdTreeComponentsShadowsInt64Spirv, MarchRayQueryComponentsShadowsSpirv,
+  MarchRayQueryComponentsShadowsInt64Spirv };
 const Family projection{ MarchKdTreeProjectionSpirv, MarchKdTreeProjectionInt64Spirv,
   MarchRayQueryProjectionSpirv, MarchRayQueryProjectionInt64Spirv };
 const Family surface{ MarchKdTreeSurfaceSpirv, MarchKdTreeSurfaceInt64Spirv,
@@ -67,6 +81,10 @@ const Family surface{ MarchKdTreeSurfaceSpirv, MarchKdTreeSurfaceInt64Spirv,
 const Family& familyOf(const MarchVariant& variant)
 {
   const bool isMixed = variant.components > 1 || variant.mixing == Mixing::Planar;
+  if (variant.ofCells)
+  {
+    return isMixed ? componentsShadows : compositeShadows;
+  }
   if (isMixed && variant.blending != Blending::Isosurface)
   {
     return components;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace exabricks
 {
@@ -59,8 +60,17 @@ Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
   return depths.first < depths.second ? depths : Depths();
 }
 
-// `toWorld`: linear, from half cells.
-void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dmat3& toWorld)
+// Shadows reach so many times the bounds' size, by a number in [0, 1], as of VTK's GPU mapper.
+float findShadowReach(double reach)
+{
+  return reach < 1.0 ? static_cast<float>(std::sqrt(3.0) * (1.0 - std::pow(1.0 - reach, 0.33)))
+                     : std::numeric_limits<float>::max();
+}
+
+// `toWorld`: linear, from half cells. `corner`: where the lower corner of the data's bounds is in
+// half cells.
+void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dmat3& toWorld,
+  const glm::dvec3& corner)
 {
   for (std::size_t k = 0; k < lighting.materials.size(); ++k)
   {
@@ -85,6 +95,7 @@ void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dma
   frame.gradientToWorldX = covector[0] / largest;
   frame.gradientToWorldY = covector[1] / largest;
   frame.gradientToWorldZ = covector[2] / largest;
+  const glm::dmat3 toHalfCells = glm::inverse(toWorld);
   frame.lightCount =
     static_cast<std::uint32_t>(std::min<std::size_t>(lighting.lights.size(), layout::MOST_LIGHTS));
   for (std::uint32_t i = 0; i < frame.lightCount; ++i)
@@ -95,11 +106,19 @@ void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dma
     to.diffuse = from.diffuse;
     to.specular = from.specular;
     to.positional = from.positional;
-    to.position = from.position;
+    to.position = from.position + toWorld * corner;
+    to.inHalfCells = from.positional ? toHalfCells * from.position + corner
+                                     : glm::normalize(toHalfCells * -from.direction);
     to.attenuation = from.attenuation;
     to.cosineOfCone =
       from.coneAngle > 90.0 ? -1.0f : static_cast<float>(std::cos(glm::radians(from.coneAngle)));
     to.exponent = static_cast<float>(from.exponent);
+  }
+  if (lighting.scattering)
+  {
+    frame.scatteringBlending = static_cast<float>(lighting.scattering->blending);
+    frame.scatteringAnisotropy = static_cast<float>(lighting.scattering->anisotropy);
+    frame.shadowReach = findShadowReach(lighting.scattering->reach);
   }
 }
 
@@ -140,6 +159,14 @@ void fillCutaway(layout::Frame& frame, const Cutaway& cutaway, const glm::dmat4&
 }
 }
 
+void MarchPass::recordList(const vk::raii::CommandBuffer& commands, const layout::Band& band) const
+{
+  // Groups in a square, as a device may take less than 65536 of them along an axis.
+  const std::uint32_t groups = (band.count + TileSize * TileSize - 1) / (TileSize * TileSize);
+  const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(groups)));
+  this->record(commands, band, columns * TileSize, (groups + columns - 1) / columns * TileSize);
+}
+
 void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalfCells)
 {
   const glm::dmat4 ndcToHalfCells = fromHalfCells * view.camera.ndcToHalfCells;
@@ -165,7 +192,7 @@ void fillView(layout::Frame& frame, const View& view, const glm::dmat4& fromHalf
     glm::dvec3(toData[0].x, toData[1].y, toData[2].z);
   if (view.lighting)
   {
-    fillLighting(frame, *view.lighting, view.lighting->dataToWorld * toData);
+    fillLighting(frame, *view.lighting, view.lighting->dataToWorld * toData, fromHalfCells[3]);
   }
   frame.width = static_cast<std::uint32_t>(view.target.width);
   frame.height = static_cast<std::uint32_t>(view.target.height);

@@ -42,6 +42,8 @@ struct MarchPass
     commands.pushConstants<layout::Band>(this->layout, vk::ShaderStageFlagBits::eCompute, 0, band);
     commands.dispatch((width + TileSize - 1) / TileSize, (rows + TileSize - 1) / TileSize, 1);
   }
+  /// `band`: of a list, whose `count` tells how many of it are marched.
+  void recordList(const vk::raii::CommandBuffer& commands, const layout::Band& band) const;
 };
 
 /// The counters by which the passes of one submission take pixels.

@@ -22,6 +22,8 @@ struct MarchVariant
   Blending blending = Blending::Composite;
   bool beginsAtDepth = false;      // for views with a nearDepth
   bool shaded = false;             // for views with lighting
+  bool scattering = false;         // and for those whose lighting has it
+  bool ofCells = false;            // it marches from cells to lights, and not through pixels
   bool hasGradientOpacity = false; // where opacity depends on the gradient
   bool clipped = false;            // for views with clipping planes
   bool cropped = false;            // for views with cropping
@@ -35,9 +37,9 @@ struct MarchVariant
 inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
-    variant.beginsAtDepth, variant.shaded, variant.hasGradientOpacity, variant.clipped,
-    variant.cropped, variant.jittered, variant.showsUndefined, variant.isPart, variant.components,
-    variant.mixing);
+    variant.beginsAtDepth, variant.shaded, variant.scattering, variant.ofCells,
+    variant.hasGradientOpacity, variant.clipped, variant.cropped, variant.jittered,
+    variant.showsUndefined, variant.isPart, variant.components, variant.mixing);
 }
 
 inline bool operator<(const MarchVariant& a, const MarchVariant& b)

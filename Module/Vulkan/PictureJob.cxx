@@ -232,11 +232,7 @@ void PictureJob::RecordList(const vk::raii::CommandBuffer& commands, vk::DeviceA
   {
     this->Counters.record(commands);
   }
-  // Groups in a square, as a device may take less than 65536 of them along an axis.
-  const std::uint32_t groups = (count + TileSize * TileSize - 1) / (TileSize * TileSize);
-  const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(groups)));
-  this->Pass.record(
-    commands, band, columns * TileSize, (groups + columns - 1) / columns * TileSize);
+  this->Pass.recordList(commands, band);
 }
 
 void PictureJob::Took(double seconds, double pixels)

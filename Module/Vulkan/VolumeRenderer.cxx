@@ -14,6 +14,15 @@
 
 namespace exabricks
 {
+namespace
+{
+bool scattersIn(const View& view)
+{
+  return view.blending == Blending::Composite && view.lighting &&
+    view.lighting->scattering.has_value();
+}
+}
+
 struct VolumeRenderer::Internals
 {
   // What the caller set.
@@ -109,6 +118,7 @@ struct VolumeRenderer::Internals
       const Stopwatch watch;
       this->Colors.emplace(this->Session.device(), this->Appearance.makeTables(),
         this->GradientOpacity, this->Appearance.medium().planar);
+      this->Levels.invalidateShadows();
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -162,12 +172,19 @@ struct VolumeRenderer::Internals
 
   vulkan::MarchPass FindPass(const View& view, bool beginsAtDepth)
   {
+    return vulkan::MarchPass(
+      *this->Pipelines, this->FindVariant(view, beginsAtDepth), this->Measured.pipelineBuilds);
+  }
+
+  vulkan::MarchVariant FindVariant(const View& view, bool beginsAtDepth) const
+  {
     vulkan::MarchVariant variant;
     variant.traversal = this->Measured.traversal;
     variant.reconstruction = view.quality.reconstruction;
     variant.blending = view.blending;
     variant.beginsAtDepth = beginsAtDepth;
     variant.shaded = isOfPlaces(view.blending) && view.lighting.has_value();
+    variant.scattering = scattersIn(view);
     variant.hasGradientOpacity = isOfPlaces(view.blending) && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
@@ -178,13 +195,17 @@ struct VolumeRenderer::Internals
     variant.components = static_cast<std::uint32_t>(this->Levels.volume().components());
     variant.mixing =
       this->Appearance.isMixed() ? this->Appearance.medium().mixing : Mixing::Independent;
-    return vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds);
+    return variant;
   }
 
   layout::Frame MakeFrame(const vulkan::LevelsOfDetail::Level& level, const View& view) const
   {
     layout::Frame frame{};
     level.onDevice->fill(frame);
+    if (level.shadows)
+    {
+      level.shadows->fill(frame);
+    }
     this->Colors->fill(frame);
     const Medium& medium = this->Appearance.medium();
     frame.componentWeights = medium.weights;
@@ -195,19 +216,21 @@ struct VolumeRenderer::Internals
     return frame;
   }
 
-  // Levels and steps for the view's error tolerance.
-  Sampling Choose(const View& view)
+  // Levels and steps for the view's error tolerance. None: `progress` gave it up.
+  std::optional<Sampling> Choose(const View& view, const Progress& progress)
   {
     if (!this->Choice)
     {
       this->Choice = std::make_unique<vulkan::SamplingChoice>(this->Session.device());
     }
+    bool goesOn = true;
     const Sampling sampling = this->Choice->find(view, this->FindPass(view, false),
       [&](const View& sparse, const Sampling& tried) -> std::optional<layout::Frame>
       {
-        const vulkan::LevelsOfDetail::Level* level = this->Levels.findCoarser(
+        vulkan::LevelsOfDetail::Level* level = this->Levels.findCoarser(
           tried.levelsLeftOut, this->Session.device(), this->MakeSelection());
-        if (!level || level->onDevice->activeBoxes() == 0)
+        goesOn = goesOn && (!level || this->UpdateShadows(*level, view, progress));
+        if (!goesOn || !level || level->onDevice->activeBoxes() == 0)
         {
           return std::nullopt;
         }
@@ -216,6 +239,11 @@ struct VolumeRenderer::Internals
         return this->MakeFrame(*level, scaled);
       });
     this->Measured.samplingTime = this->Choice->seconds();
+    if (!goesOn)
+    {
+      this->Choice->forget();
+      return std::nullopt;
+    }
     return sampling;
   }
 
@@ -286,9 +314,10 @@ struct VolumeRenderer::Internals
     {
       view.quality.sampleDistance = 0.0;
     }
-    // Weights are those of absorption by one function: else all steps are equal.
-    const bool weighted =
-      searched && view.blending == Blending::Composite && !this->Appearance.isMixed();
+    // Weights are those of absorption by one function, wherever it is lit alike: else all steps are
+    // equal.
+    const bool weighted = searched && view.blending == Blending::Composite &&
+      !this->Appearance.isMixed() && !scattersIn(view);
     this->UpdateWeights(weighted);
     this->Update();
     if (this->Levels.empty() || this->Measured.activeBoxes == 0)
@@ -304,17 +333,58 @@ struct VolumeRenderer::Internals
       view.quality.terminationOpacity =
         StepWeights::terminationOpacity(view.quality.errorTolerance);
     }
-    const Sampling sampling = searched ? this->Choose(view) : this->TakeRequested(view);
-    view.quality.stepScale = view.quality.stepGrowth * sampling.stepScale;
+    const std::optional<Sampling> sampling =
+      searched ? this->Choose(view, progress) : this->TakeRequested(view);
+    vulkan::LevelsOfDetail::Level* const level = sampling
+      ? this->Levels.findCoarser(
+          sampling->levelsLeftOut, this->Session.device(), this->MakeSelection())
+      : nullptr;
+    if (!level || !this->UpdateShadows(*level, view, progress))
+    {
+      picture.clear();
+      return;
+    }
+    view.quality.stepScale = view.quality.stepGrowth * sampling->stepScale;
     view.quality.sampleDistance *= view.quality.stepGrowth;
     this->Measured.stepScale = view.quality.stepScale;
-    this->Measured.levelsLeftOut = sampling.levelsLeftOut;
+    this->Measured.levelsLeftOut = sampling->levelsLeftOut;
     this->Count();
     const Stopwatch watch;
-    this->March(*this->Levels.findCoarser(
-                  sampling.levelsLeftOut, this->Session.device(), this->MakeSelection()),
-      view, picture, progress);
+    this->March(*level, view, picture, progress);
     this->Measured.marchTime = watch.seconds();
+  }
+
+  // How much of each light comes to each cell. False: `progress` gave it up.
+  bool UpdateShadows(
+    vulkan::LevelsOfDetail::Level& level, const View& view, const Progress& progress)
+  {
+    if (!scattersIn(view) || !(view.lighting->scattering->reach > 0.0) ||
+      view.lighting->lights.empty() || level.onDevice->activeBoxes() == 0)
+    {
+      return true;
+    }
+    const vulkan::ShadowCause cause(view);
+    if (level.shadows && level.shadows->serve(cause, view.quality.keepsSampling))
+    {
+      return true;
+    }
+    const Stopwatch watch;
+    const View steady = cause.steady(view);
+    vulkan::Selection selection = this->MakeSelection();
+    selection.form = { false, Extreme::None, this->UndefinedShown };
+    level.shadows.reset(); // of as many lights as there were
+    level.shadows =
+      std::make_unique<vulkan::CellShadows>(this->Session.device(), *level.onDevice, level.volume,
+        vulkan::LevelsOfDetail::select(level.volume, selection), view.lighting->lights.size());
+    vulkan::MarchVariant variant = this->FindVariant(steady, /*beginsAtDepth=*/false);
+    variant.ofCells = true;
+    variant.shaded = variant.scattering = variant.jittered = false;
+    const bool found = level.shadows->find(cause, this->MakeFrame(level, steady),
+      vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds),
+      [&] { return !progress || progress(0.0); });
+    this->Measured.shadowTime = watch.seconds();
+    ++this->Measured.shadowSearches;
+    return found;
   }
 
   // Why the volume cannot be drawn in that view; empty: it can.

@@ -87,10 +87,12 @@ public:
     double opacityTime = 0.0; // active regions, acceleration structure or pruned tree
     double marchTime = 0.0;
     double samplingTime = 0.0; // choosing levels and steps for an error tolerance
+    double shadowTime = 0.0;   // how much of each light comes to each cell
     // how often, since the renderer was made
     std::size_t structureUploads = 0; // of a volume, whole or without some levels
     std::size_t valueUploads = 0;
     std::size_t pipelineBuilds = 0;
+    std::size_t shadowSearches = 0; // of the cells' shares of light
   };
   const Statistics& statistics() const;
 

@@ -70,6 +70,7 @@ public:
   void SetDiffuse(double diffuse);
   void SetSpecular(double specular);
   void SetSpecularPower(double power);
+  void SetVolumeAnisotropy(double anisotropy);
   void SetNumberOfIsosurfaceValues(int count);
   void SetIsosurfaceValue(int number, double value);
   void SetSliceFunction(vtkImplicitFunction* function);
@@ -127,6 +128,8 @@ public:
   void SetDevice(const char* device);
   void SetLevelRange(int first, int last);
   void SetUseNanColor(bool use);
+  void SetVolumetricScatteringBlending(double blending);
+  void SetGlobalIlluminationReach(double reach);
   void SetCropping(bool cropping);
   void SetCroppingRegionPlanes(
     double lowerX, double upperX, double lowerY, double upperY, double lowerZ, double upperZ);

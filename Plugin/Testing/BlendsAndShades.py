@@ -26,6 +26,21 @@ display.BlendMode = "Composite"
 display.Shading = 1
 shaded = picture(view, "shaded")
 assert decibel(shaded, flat) < 35.0, decibel(shaded, flat)
+
+# Of a medium, with shadows that it casts on itself: the headlight's are behind what is seen.
+display.Diffuse = 1.0
+display.VolumetricScatteringBlending = 2.0
+scattered = picture(view, "scattered")
+expect_different(scattered, shaded, 40.0, "scattered by a medium")
+display.GlobalIlluminationReach = 1.0
+shadowed = picture(view, "shadowed")
+expect_different(shadowed, scattered, 40.0, "with shadows")
+display.VolumeAnisotropy = 0.6
+expect_different(picture(view, "onwards"), shadowed, 40.0, "scattered onwards")
+display.VolumeAnisotropy = 0.0
+expect_alike(picture(view, "shadowedAgain"), shadowed, 60.0, "shadows again")
+display.GlobalIlluminationReach = 0.0
+display.VolumetricScatteringBlending = 0.0
 display.Shading = 0
 expect_alike(picture(view, "flatAgain"), flat, 60.0, "without shading again")
 collector.expect_silence()

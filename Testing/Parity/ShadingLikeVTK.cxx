@@ -7,6 +7,7 @@
 
 #include "vtkLight.h"
 #include "vtkVersion.h"
+#include "vtkVersionMacros.h"
 
 int ShadingLikeVTK(int, char*[])
 {
@@ -47,5 +48,24 @@ int ShadingLikeVTK(int, char*[])
   light->SetDiffuseColor(1.0, 0.8, 0.6);
   mappers.renderer->AddLight(light);
   mappers.ExpectSameAsOnGPU(checks, "a light of the scene");
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  // Light that the medium scatters, and shadows. VTK's rays to the light take steps of the
+  // picture's own, from each of its samples; ours are found at cells.
+  const auto expectSame = [&](float blending, float reach, const std::string& what)
+  {
+    mappers.mapper->SetVolumetricScatteringBlending(blending);
+    mappers.mapper->SetGlobalIlluminationReach(reach);
+    mappers.gpu->SetVolumetricScatteringBlending(blending);
+    mappers.gpu->SetGlobalIlluminationReach(reach);
+    mappers.ExpectSameAsOnGPU(checks, what);
+  };
+  expectSame(2.0f, 1.0f, "shadows");
+  checks.Expect(mappers.Draw(mappers.mapper).Decibel(flat) < 30.0, "there are shadows");
+  expectSame(2.0f, 0.8f, "shorter shadows");
+  expectSame(1.0f, 1.0f, "shadows of surfaces and medium");
+  property->SetScatteringAnisotropy(0.4);
+  expectSame(2.0f, 1.0f, "scattered onwards");
+#endif
   return checks.Status();
 }

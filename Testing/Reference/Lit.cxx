@@ -25,14 +25,30 @@ double findSlope(const FieldFunction& field, const glm::dvec3& place, int axis)
   return value && width > 0.0 ? (above.value_or(*value) - below.value_or(*value)) / width : 0.0;
 }
 
+// Henyey and Greenstein's, times 4 pi.
+double phaseOf(double g, double cosine)
+{
+  return (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
+}
+
+// By what is seen of the surfaces (0) or of the medium (1).
+double shareOfScattering(double blending, bool changes, double opacity)
+{
+  const double thin = changes ? std::exp(-blending * opacity) : 1.0;
+  return blending < 1.0 ? blending * thin : (2.0 - blending) * thin + blending - 1.0;
+}
+
 // `place` in the light's coordinates; `normal` of length 1, or 0.
 glm::dvec3 shadeNormal(const glm::dvec3& color, const Lighting& lighting, const Material& material,
-  const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& toEye)
+  const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& toEye,
+  const LitMedium& medium)
 {
   glm::dvec3 diffuse(0.0);
   glm::dvec3 specular(0.0);
-  for (const Light& light : lighting.lights)
+  glm::dvec3 scattered(0.0);
+  for (std::size_t i = 0; i < lighting.lights.size(); ++i)
   {
+    const Light& light = lighting.lights[i];
     glm::dvec3 toLight = -light.direction;
     double reaching = 1.0;
     if (light.positional)
@@ -49,6 +65,11 @@ glm::dvec3 shadeNormal(const glm::dvec3& color, const Lighting& lighting, const 
           : 0.0;
       }
     }
+    if (lighting.scattering)
+    {
+      const double phase = phaseOf(lighting.scattering->anisotropy, -glm::dot(toLight, toEye));
+      scattered += light.diffuse * reaching * phase * medium.shares[i];
+    }
     const double cosine = glm::dot(normal, toLight);
     if (cosine > 0.0 || (lighting.twoSided && cosine < 0.0))
     {
@@ -58,7 +79,15 @@ glm::dvec3 shadeNormal(const glm::dvec3& color, const Lighting& lighting, const 
         light.specular * reaching * std::pow(std::max(shine, 0.0), material.specularPower);
     }
   }
-  return color * (material.ambient + material.diffuse * diffuse) + material.specular * specular;
+  const glm::dvec3 surface =
+    color * (material.ambient + material.diffuse * diffuse) + material.specular * specular;
+  if (!lighting.scattering)
+  {
+    return surface;
+  }
+  return glm::mix(surface, color * (material.ambient + material.diffuse * scattered),
+    shareOfScattering(
+      lighting.scattering->blending, normal != glm::dvec3(0.0), medium.opacityOfUnit));
 }
 }
 
@@ -84,7 +113,8 @@ glm::dvec3 findGradient(const FieldFunction& field, const Box& bounds, const glm
 
 LitSpace::LitSpace(
   const glm::dmat4& logicalToWorld, const Box& bounds, const glm::dmat3& dataToWorld)
-  : toWorld(dataToWorld * glm::dmat3(logicalToWorld))
+  : logicalToData(logicalToWorld)
+  , toWorld(dataToWorld * glm::dmat3(logicalToWorld))
   , gradientToWorld(glm::transpose(glm::inverse(this->toWorld)))
   , spacing(logicalToWorld[0].x, logicalToWorld[1].y, logicalToWorld[2].z)
   , corner(bounds.lo)
@@ -99,12 +129,13 @@ double LitSpace::magnitudeOf(const glm::dvec3& gradient) const
 
 glm::dvec3 LitSpace::shade(const glm::dvec3& color, const Lighting& lighting,
   const Material& material, const glm::dvec3& place, const glm::dvec3& gradient,
-  const glm::dvec3& path) const
+  const glm::dvec3& path, const LitMedium& medium) const
 {
   const glm::dvec3 normal = this->gradientToWorld * gradient;
   const double length = glm::length(normal);
   return shadeNormal(color, lighting, material, this->toWorld * (place - this->corner),
-    length > 1e-9 ? -normal / length : glm::dvec3(0.0), -glm::normalize(this->toWorld * path));
+    length > 1e-9 ? -normal / length : glm::dvec3(0.0), -glm::normalize(this->toWorld * path),
+    medium);
 }
 }
 }

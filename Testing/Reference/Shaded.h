@@ -24,6 +24,7 @@ struct ShadedSettings
   std::function<double(double)> gradientOpacity;
   double opacityUnitDistance = 1.0; // world
   double step = 1.0 / 32.0;         // in the finest cells
+  double shadowStep = 1.0 / 4.0;    // of rays to lights
 };
 
 /// `logicalToWorld`: affine. The view's depth and cut do not count. `field` may be asked from

@@ -4,6 +4,7 @@
 #include "Traversals.h"
 
 #include <gtest/gtest.h>
+#include <iostream>
 
 using namespace exabricks;
 
@@ -191,4 +192,30 @@ TEST(KeepsTolerance, OfCompletedLevels)
   subject.errorTolerance = 0.02;
   EXPECT_LE(errorOfDrawn(subject.render(view), truth), 0.04);
   EXPECT_GT(subject.renderer.statistics().levelsLeftOut, 0);
+}
+
+TEST(KeepsTolerance, OfWhatIsLitThoughItsColorIsOneEverywhere)
+{
+  for (const reference::Scene& scene : { reference::twoLevels(), reference::anisotropic() })
+  {
+    SceneRenderer subject(scene);
+    subject.opacityUnitDistance = 6.0;
+    subject.setTransfer(
+      TransferFunction({ { 0.0, { 0.9, 0.8, 0.7, 0.4 } }, { 1.0, { 0.9, 0.8, 0.7, 0.4 } } }));
+    subject.lighting = Lighting();
+    subject.lighting->lights.emplace_back();
+    subject.lighting->lights.back().direction = glm::normalize(glm::dvec3(-0.6, 0.5, -0.4));
+    const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, 64);
+    subject.stepScale = 0.02;
+    const reference::Image fine = subject.render(view);
+    for (const double tolerance : { 0.02, 0.005 })
+    {
+      subject.errorTolerance = tolerance;
+      const double error = errorOfDrawn(subject.render(view), fine);
+      std::cout << scene.name << ", tolerance " << tolerance << ": " << error << ", step "
+                << subject.renderer.statistics().stepScale << "\n";
+      EXPECT_LE(error, 2.0 * tolerance) << scene.name;
+    }
+    subject.errorTolerance = 0.0;
+  }
 }

@@ -9,10 +9,11 @@
 #include "Variant.glsl"
 #include "ToIndex.glsl"
 #include "Camera.glsl"
-#include "Segments.glsl"
 #include "Ray.glsl"
-#include "Advance.glsl"
 #include "Bricks.glsl"
+#include "PixelWay.glsl"
+#include "Segments.glsl"
+#include "Advance.glsl"
 #include "LeafCell.glsl"
 #include "Trilinear.glsl"
 #include "Basis.glsl"
@@ -50,8 +51,7 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const float at = cursor.entry;
 #endif
     addConstant(sampleField(cursor.brick, cursor.others, ray, at),
-      (end - cursor.entry) * ray.unitsPerHalfCell, spotAt(ray, cursor.brick, at, vec3(0.0)),
-      gathered);
+      (end - cursor.entry) * ray.unitsPerHalfCell, spotAt(ray, cursor.brick, cursor.others, at, vec3(0.0)), gathered);
   }
   cursor.entry = end;
   cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
