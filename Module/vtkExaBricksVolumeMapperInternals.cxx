@@ -140,7 +140,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
       { "UseNanColor counts with blend modes composite and slice, one component and a color "
         "function of three channels: cells without a value are left out." } });
   }
-  this->Report(this->CheckScattering(property, bricked));
+  this->Report(this->CheckLighting(property, bricked));
   if (bricked.volume.structure->hierarchy.whole)
   {
     // Each process would choose steps and levels of its own; and values of rays end with the part.
@@ -181,11 +181,17 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::CheckData(
   return this->Report(exabricks::checkMedium(this->Self, property, bricked));
 }
 
-// Whether what is set of scattering and shadows counts.
-exabricks::Requests vtkExaBricksVolumeMapper::vtkInternals::CheckScattering(
+// Whether what is set of normals, scattering and shadows counts.
+exabricks::Requests vtkExaBricksVolumeMapper::vtkInternals::CheckLighting(
   vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const
 {
   exabricks::Requests requests;
+  if (exabricks::takesNormalsFromOpacity(this->Self) && exabricks::isPlanar(property, bricked))
+  {
+    requests.drawnWithout.emplace_back("ComputeNormalFromOpacity has no meaning with a 2-D "
+                                       "transfer function: the volume is drawn with "
+                                       "normals against the gradient of values.");
+  }
   const bool scatters = this->Self->VolumetricScatteringBlending > 0.0f;
   const bool shadows = this->Self->GlobalIlluminationReach > 0.0f;
   if (shadows && !scatters)

@@ -72,7 +72,7 @@ struct vtkExaBricksVolumeMapper::vtkInternals
   std::optional<std::string> Draw(vtkRenderer* ren, vtkVolume* vol,
     const std::shared_ptr<const exabricks::BrickedVolume>& bricked);
   std::string CheckData(vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked);
-  exabricks::Requests CheckScattering(
+  exabricks::Requests CheckLighting(
     vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const;
   void UpdateRenderer(
     vtkVolumeProperty* property, const std::shared_ptr<const exabricks::BrickedVolume>& bricked);

@@ -80,6 +80,10 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeView(vtkRenderer* re
     view.undefinedColor = exabricks::findNanColor(vol->GetProperty());
   }
   view.lighting = exabricks::makeLighting(ren, vol, bricked);
+  if (view.lighting)
+  {
+    view.lighting->normalsOfOpacity = exabricks::takesNormalsFromOpacity(this->Self);
+  }
   if (view.lighting && view.blending == exabricks::Blending::Composite &&
     this->Self->VolumetricScatteringBlending > 0.0f)
   {

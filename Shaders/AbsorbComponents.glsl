@@ -8,13 +8,14 @@ struct Piece
   vec4 to;
   float units;      // its length, in unit distances of opacity
   mat4x3 gradients; // in its middle, as sampleComponents() has them
-  Spot spot;        // but for its gradient
+  Spot spot;        // but for its gradient and its value
 };
 
 Spot spotOfComponent(Piece piece, uint component)
 {
   Spot spot = piece.spot;
   spot.gradient = piece.gradients[component];
+  spot.value = 0.5 * (piece.from[component] + piece.to[component]);
   return spot;
 }
 

@@ -5,6 +5,7 @@
 struct Spot
 {
   vec3 gradient;  // by half cells
+  float value;    // of what has that gradient, in the middle
   float width;    // of a cell there, in finest cells
   vec3 place;     // of its middle, half cells
   vec3 direction; // of the ray
@@ -16,9 +17,10 @@ struct Spot
 #endif
 };
 
-Spot spotAt(Ray ray, Brick brick, uint others, float distance, vec3 gradient)
+Spot spotAt(Ray ray, Brick brick, uint others, float distance, float value, vec3 gradient)
 {
   Spot spot;
+  spot.value = value;
   spot.gradient = gradient;
   spot.width = float(brick.width);
   spot.place = vec3(ray.base) + (ray.fraction + distance * ray.direction);
@@ -50,14 +52,24 @@ vec3 toWorld(vec3 halfCells)
     constants.frame.halfCellsToWorldZ * halfCells.z;
 }
 
-// Against the gradient, of length 1; or 0, where the field changes by no more than rounding.
+// On which side of a place opacity, by the function that is selected, is greater: where values are greater
+// (1), where they are less (-1), or nowhere.
+float sideOfOpacity(float value)
+{
+  const TransferPart part = findPart(value);
+  return sign(part.upper.a - part.lower.a);
+}
+
+// Against the gradient, of values or of opacity, of length 1; or 0, where the field changes by no more
+// than rounding.
 vec3 normalAt(Spot spot)
 {
   const vec3 normal = constants.frame.gradientToWorldX * spot.gradient.x +
     constants.frame.gradientToWorldY * spot.gradient.y +
     constants.frame.gradientToWorldZ * spot.gradient.z;
   const float change = length(spot.gradient) * spot.width;
-  return change > 1e-6 ? -normalize(normal) : vec3(0.0);
+  const float side = hasNormalsOfOpacity ? sideOfOpacity(spot.value) : 1.0;
+  return change > 1e-6 ? -side * normalize(normal) : vec3(0.0);
 }
 
 // What reaches a place of a light, and `toLight`, the direction in which it is.

@@ -56,6 +56,13 @@ layout(constant_id = 9) const bool hasGradientOpacity = false;
 #else
 const bool hasGradientOpacity = false;
 #endif
+// Normals are those of opacity; of functions of two variables, and of surfaces of a component that
+// has none, still those of values.
+#if defined(FAMILY_SURFACE) || defined(FAMILY_COMPOSITE) || defined(FAMILY_COMPONENTS)
+layout(constant_id = 14) const bool asksForNormalsOfOpacity = false;
+#else
+const bool asksForNormalsOfOpacity = false;
+#endif
 // What is lit scatters light beside, as a medium does.
 #if defined(FAMILY_COMPOSITE) || defined(FAMILY_COMPONENTS)
 #define FAMILY_SCATTERING
@@ -79,6 +86,8 @@ const uint componentCount = 1u;
 const uint mixing = MIXING_INDEPENDENT;
 #endif
 
+const bool hasNormalsOfOpacity =
+  asksForNormalsOfOpacity && mixing != MIXING_PLANAR && (!isIsosurface || mixing == MIXING_INDEPENDENT);
 const bool isNearest = reconstruction == RECONSTRUCTION_NEAREST;
 const bool isCompleted = reconstruction == RECONSTRUCTION_COMPLETED;
 // A function of two variables, of which the second one is the gradient's magnitude.

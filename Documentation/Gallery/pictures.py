@@ -16,6 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
+    vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
@@ -90,6 +91,20 @@ def shaded():
     scene = Scene()
     scene.material(0.3, 0.8, 0.3, 20.0)
     scene.opacity([(2.0, 0.0), (5.0, 0.3), (10.0, 0.9)])
+    return scene
+
+
+def shadows():
+    scene = Scene()
+    scene.mapper.SetVolumetricScatteringBlending(2.0)
+    scene.mapper.SetGlobalIlluminationReach(1.0)
+    scene.material(0.35, 0.9, 0.0, 10.0)
+    scene.opacity([(0.5, 0.0), (3.0, 0.1), (10.0, 0.6)])
+    sun = vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetPosition(3.0, -0.5, 2.0)
+    sun.SetFocalPoint(*MIDDLE)
+    scene.renderer.AddLight(sun)
     return scene
 
 
@@ -215,7 +230,7 @@ def with_geometry():
 
 
 PICTURES = (composite, shaded, gradient_opacity, maximum, average, additive, isosurfaces, slice_plane, clipped,
-            cropped, two_components, with_geometry)
+            cropped, two_components, with_geometry, shadows)
 
 
 def draw(scene, path, size=280):

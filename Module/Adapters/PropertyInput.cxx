@@ -56,6 +56,8 @@ bool takesNormalsFromOpacity(Mapper*, ...)
 }
 }
 
+bool takesNormalsFromOpacity(vtkVolumeMapper* mapper) { return takesNormalsFromOpacity(mapper, 0); }
+
 bool isIndependent(vtkVolumeProperty* property, const BrickedVolume& bricked)
 {
   return bricked.volume.components() == 1 ||
@@ -162,13 +164,6 @@ Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume)
     without("Normals are those of the whole field, and nothing is shaded by a cut: "
             "ClippedVoxelIntensity of the volume property is not supported, and the volume is "
             "drawn without it.");
-  }
-  if (takesNormalsFromOpacity(mapper, 0))
-  {
-    without(
-      "ComputeNormalFromOpacity is not supported: normals are against the gradient of values. "
-      "Where opacity falls as values rise they are turned; with two-sided lighting that makes "
-      "no difference.");
   }
   return requests;
 }

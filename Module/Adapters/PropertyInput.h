@@ -48,6 +48,9 @@ std::vector<std::string> checkCategories(
 bool countsGradientOpacity(vtkVolumeMapper* mapper);
 std::string describeGradientOpacityElsewhere();
 
+/// Whether normals are asked for of opacity (ComputeNormalFromOpacity, VTK 9.3 and later).
+bool takesNormalsFromOpacity(vtkVolumeMapper* mapper);
+
 /// Checks what can be told without data.
 Requests checkWithoutData(vtkVolumeMapper* mapper, vtkVolume* volume);
 

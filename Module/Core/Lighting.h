@@ -69,6 +69,9 @@ struct Lighting
   /// Of each independent component; of one, and of dependent ones, the first.
   std::array<Material, layout::MOST_COMPONENTS> materials;
   bool twoSided = true; // light from behind counts as much
+  /// Normals are against the gradient of opacity, not of values: where it falls as values rise they
+  /// are turned, and where it does not change there are none. Of one variable, which has opacity.
+  bool normalsOfOpacity = false;
   std::vector<Light> lights;
   glm::dmat3 dataToWorld{ 1.0 };        // linear
   std::optional<Scattering> scattering; // for Blending::Composite
@@ -77,7 +80,8 @@ struct Lighting
 inline bool operator==(const Lighting& a, const Lighting& b)
 {
   return a.materials == b.materials && a.twoSided == b.twoSided && a.lights == b.lights &&
-    a.dataToWorld == b.dataToWorld && a.scattering == b.scattering;
+    a.normalsOfOpacity == b.normalsOfOpacity && a.dataToWorld == b.dataToWorld &&
+    a.scattering == b.scattering;
 }
 }
 

@@ -30,6 +30,7 @@ struct Constants
   vk::Bool32 showsUndefined;
   vk::Bool32 isPart;
   vk::Bool32 isScattering;
+  vk::Bool32 hasNormalsOfOpacity;
 };
 
 std::uint32_t numberOf(Reconstruction reconstruction)
@@ -130,17 +131,19 @@ vk::raii::Pipeline MarchPipelines::Make(const MarchVariant& variant) const
   const Constants values{ numberOf(variant.reconstruction), numberOf(variant.blending),
     variant.beginsAtDepth, this->takesPixels(), variant.shaded, variant.hasGradientOpacity,
     variant.clipped, variant.cropped, variant.components, numberOf(variant.mixing),
-    variant.jittered, variant.showsUndefined, variant.isPart, variant.scattering };
+    variant.jittered, variant.showsUndefined, variant.isPart, variant.scattering,
+    variant.normalsOfOpacity };
   const auto entry = [](std::uint32_t number, std::size_t offset)
   { return vk::SpecializationMapEntry(number, static_cast<std::uint32_t>(offset), 4); };
-  const std::array<vk::SpecializationMapEntry, 14> entries{
+  const std::array<vk::SpecializationMapEntry, 15> entries{
     entry(0, offsetof(Constants, reconstruction)), entry(1, offsetof(Constants, beginsAtDepth)),
     entry(2, offsetof(Constants, takesPixels)), entry(3, offsetof(Constants, clipped)),
     entry(4, offsetof(Constants, cropped)), entry(5, offsetof(Constants, blending)),
     entry(6, offsetof(Constants, components)), entry(7, offsetof(Constants, mixing)),
     entry(8, offsetof(Constants, isShaded)), entry(9, offsetof(Constants, hasGradientOpacity)),
     entry(10, offsetof(Constants, jittered)), entry(11, offsetof(Constants, showsUndefined)),
-    entry(12, offsetof(Constants, isPart)), entry(13, offsetof(Constants, isScattering))
+    entry(12, offsetof(Constants, isPart)), entry(13, offsetof(Constants, isScattering)),
+    entry(14, offsetof(Constants, hasNormalsOfOpacity))
   };
   const vk::SpecializationInfo constants(entries.size(), entries.data(), sizeof(values), &values);
   const vk::PipelineShaderStageCreateInfo stage(

@@ -23,6 +23,7 @@ struct MarchVariant
   bool beginsAtDepth = false;      // for views with a nearDepth
   bool shaded = false;             // for views with lighting
   bool scattering = false;         // and for those whose lighting has it
+  bool normalsOfOpacity = false;   // and for those whose normals are
   bool ofCells = false;            // it marches from cells to lights, and not through pixels
   bool hasGradientOpacity = false; // where opacity depends on the gradient
   bool clipped = false;            // for views with clipping planes
@@ -37,8 +38,8 @@ struct MarchVariant
 inline auto asTuple(const MarchVariant& variant)
 {
   return std::make_tuple(variant.traversal, variant.reconstruction, variant.blending,
-    variant.beginsAtDepth, variant.shaded, variant.scattering, variant.ofCells,
-    variant.hasGradientOpacity, variant.clipped, variant.cropped, variant.jittered,
+    variant.beginsAtDepth, variant.shaded, variant.scattering, variant.normalsOfOpacity,
+    variant.ofCells, variant.hasGradientOpacity, variant.clipped, variant.cropped, variant.jittered,
     variant.showsUndefined, variant.isPart, variant.components, variant.mixing);
 }
 

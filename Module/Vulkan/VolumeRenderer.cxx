@@ -185,6 +185,7 @@ struct VolumeRenderer::Internals
     variant.beginsAtDepth = beginsAtDepth;
     variant.shaded = isOfPlaces(view.blending) && view.lighting.has_value();
     variant.scattering = scattersIn(view);
+    variant.normalsOfOpacity = variant.shaded && view.lighting->normalsOfOpacity;
     variant.hasGradientOpacity = isOfPlaces(view.blending) && !this->GradientOpacity.empty();
     variant.clipped = !view.cutaway.clippingPlanes.empty();
     variant.cropped = view.cutaway.cropping.has_value();
@@ -378,7 +379,7 @@ struct VolumeRenderer::Internals
         vulkan::LevelsOfDetail::select(level.volume, selection), view.lighting->lights.size());
     vulkan::MarchVariant variant = this->FindVariant(steady, /*beginsAtDepth=*/false);
     variant.ofCells = true;
-    variant.shaded = variant.scattering = variant.jittered = false;
+    variant.shaded = variant.scattering = variant.normalsOfOpacity = variant.jittered = false;
     const bool found = level.shadows->find(cause, this->MakeFrame(level, steady),
       vulkan::MarchPass(*this->Pipelines, variant, this->Measured.pipelineBuilds),
       [&] { return !progress || progress(0.0); });

@@ -106,10 +106,6 @@ int TestUnsupportedRequests(int, char*[])
   property->GetRGBTransferFunction()->SetIndexedLookup(false);
   warnsOnce("ClippedVoxelIntensity", [&] { property->UseClippedVoxelIntensityOn(); });
   property->UseClippedVoxelIntensityOff();
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  warnsOnce("ComputeNormalFromOpacity", [&] { mapper->ComputeNormalFromOpacityOn(); });
-  mapper->ComputeNormalFromOpacityOff();
-#endif
   {
     test::Stage coded(test::makeAMR(test::cornerRefined(), test::constant(1.0)), 20);
     coded.volume->GetShaderProperty()->SetFragmentShaderCode("void main() {}");

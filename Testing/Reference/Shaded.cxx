@@ -4,6 +4,7 @@
 #include "Reference/BoundedRay.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace exabricks
@@ -110,13 +111,18 @@ Image renderShaded(const FieldFunction& field, const Box& bounds, const View& vi
         {
           continue;
         }
-        const glm::dvec3 gradient = findGradient(field, bounds, place);
+        glm::dvec3 gradient = findGradient(field, bounds, place);
         double depth = -std::log1p(-color.a) * piece / settings.opacityUnitDistance;
         if (settings.gradientOpacity)
         {
           depth *= settings.gradientOpacity(space.magnitudeOf(gradient));
         }
         const double alpha = -std::expm1(-depth);
+        if (settings.lighting && settings.lighting->normalsOfOpacity)
+        {
+          gradient *=
+            glm::sign(transfer.evaluate(*value + 1e-7).a - transfer.evaluate(*value - 1e-7).a);
+        }
         glm::dvec3 lit(color);
         if (settings.lighting)
         {

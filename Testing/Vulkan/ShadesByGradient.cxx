@@ -159,3 +159,25 @@ TEST(ShadesByGradient, OpacityByTheGradientsMagnitude)
     EXPECT_LT(reference::psnrOfDrawn(plain, truth), 35.0) << scene.name;
   }
 }
+
+TEST(ShadesByGradient, OfOpacityWhereThatIsAskedFor)
+{
+  // Opacity rises, is level and falls: normals lie one way, nowhere, and the other way.
+  const TransferFunction hill({ { 0.0, { 0.1, 0.2, 0.9, 0.0 } }, { 0.3, { 0.2, 0.8, 0.3, 0.5 } },
+    { 0.6, { 0.9, 0.8, 0.1, 0.5 } }, { 1.0, { 1.0, 0.1, 0.0, 0.0 } } });
+  for (const reference::Scene& scene : { reference::twoLevels(), reference::anisotropic() })
+  {
+    Case test(scene);
+    test.subject.setTransfer(hill);
+    test.settings.lighting = oneLight();
+    test.settings.lighting->twoSided = false;
+    const reference::Image ofValues = test.truth();
+    test.settings.lighting->normalsOfOpacity = true;
+    const reference::Image truth = test.truth();
+    const double quality = test.compare(truth);
+    std::cout << scene.name << ": " << quality << " dB, beside normals of values "
+              << reference::psnrOfDrawn(ofValues, truth) << " dB\n";
+    EXPECT_GE(quality, 45.0) << scene.name; // an interval has one normal, whatever it passes
+    EXPECT_LT(reference::psnrOfDrawn(ofValues, truth), 25.0) << scene.name;
+  }
+}
