@@ -189,6 +189,20 @@ int vtkExaBricksVolumeMapper::GetLevelsLeftOut()
   return this->Internals->Renderer.statistics().levelsLeftOut;
 }
 
+void vtkExaBricksVolumeMapper::SetColorImageScalarType(int type)
+{
+  if (type != VTK_FLOAT && type != VTK_UNSIGNED_CHAR)
+  {
+    vtkErrorMacro("Expected VTK_FLOAT or VTK_UNSIGNED_CHAR as ColorImageScalarType, found "
+      << type << ". It stays as it was.");
+  }
+  else if (type != this->ColorImageScalarType)
+  {
+    this->ColorImageScalarType = type;
+    this->Modified();
+  }
+}
+
 void vtkExaBricksVolumeMapper::SetDepthImageScalarType(int type)
 {
   if (type != VTK_FLOAT && type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT)
@@ -208,7 +222,7 @@ void vtkExaBricksVolumeMapper::GetColorImage(vtkImageData* image)
 {
   if (image)
   {
-    this->Internals->Images.getColors(image);
+    this->Internals->Images.getColors(this->ColorImageScalarType, image);
   }
   else
   {
@@ -430,6 +444,8 @@ void vtkExaBricksVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
   os << indent << "RenderToImage: " << (this->RenderToImage ? "on" : "off") << "\n";
+  os << indent
+     << "ColorImageScalarType: " << vtkImageScalarTypeNameMacro(this->ColorImageScalarType) << "\n";
   os << indent
      << "DepthImageScalarType: " << vtkImageScalarTypeNameMacro(this->DepthImageScalarType) << "\n";
   os << indent << "ClampDepthToBackface: " << (this->ClampDepthToBackface ? "on" : "off") << "\n";

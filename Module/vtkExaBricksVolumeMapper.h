@@ -360,16 +360,21 @@ public:
   /**
    * Whether Render() makes images of the size of the viewport and leaves the window as it is, as of
    * vtkGPUVolumeRayCastMapper. Off by default. Geometry and other volumes do not count for them.
-   * GetColorImage(): red, green, blue, premultiplied, and opacity as bytes, white without opacity
-   * beyond the volume's bounds. GetDepthImage(): window depths of where anything is first seen, of
-   * DepthImageScalarType: VTK_FLOAT in [0, 1] (the default), VTK_UNSIGNED_CHAR or
-   * VTK_UNSIGNED_SHORT up to their greatest number; where nothing is, the greatest, or with
-   * ClampDepthToBackface the depth at which the ray leaves the bounds. Both are without points
-   * until the first picture.
+   * GetColorImage(): red, green, blue, premultiplied, and opacity, of ColorImageScalarType:
+   * VTK_UNSIGNED_CHAR, as bytes, white without opacity beyond the volume's bounds (the default), or
+   * VTK_FLOAT, as they are, not cut off at 1, and 0 beyond. GetDepthImage(): window depths of where
+   * anything is first seen, of DepthImageScalarType: VTK_FLOAT in [0, 1] (the default),
+   * VTK_UNSIGNED_CHAR or VTK_UNSIGNED_SHORT up to their greatest number; where nothing is, the
+   * greatest, or with ClampDepthToBackface the depth at which the ray leaves the bounds. Both are
+   * without points until the first picture.
    */
   vtkSetMacro(RenderToImage, vtkTypeBool);
   vtkGetMacro(RenderToImage, vtkTypeBool);
   vtkBooleanMacro(RenderToImage, vtkTypeBool);
+  virtual void SetColorImageScalarType(int type);
+  vtkGetMacro(ColorImageScalarType, int);
+  void SetColorImageScalarTypeToUnsignedChar() { this->SetColorImageScalarType(VTK_UNSIGNED_CHAR); }
+  void SetColorImageScalarTypeToFloat() { this->SetColorImageScalarType(VTK_FLOAT); }
   virtual void SetDepthImageScalarType(int type);
   vtkGetMacro(DepthImageScalarType, int);
   void SetDepthImageScalarTypeToUnsignedChar() { this->SetDepthImageScalarType(VTK_UNSIGNED_CHAR); }
@@ -513,6 +518,7 @@ protected:
   double FinalColorWindow = 1.0;
   double FinalColorLevel = 0.5;
   vtkTypeBool RenderToImage = 0;
+  int ColorImageScalarType = VTK_UNSIGNED_CHAR;
   int DepthImageScalarType = VTK_FLOAT;
   vtkTypeBool ClampDepthToBackface = 0;
   char* Device = nullptr;

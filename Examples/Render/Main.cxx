@@ -21,9 +21,11 @@
 #include <cctype>
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <set>
 #include <sstream>
 
 namespace
@@ -112,7 +114,7 @@ void writeTurntable(const Options& options, Picture& picture)
     {
       picture.Turn(360.0 / options.Turntable);
     }
-    series.Add(picture.Pixels());
+    series.Add(picture.Result());
   }
   series.Finish();
 }
@@ -138,13 +140,59 @@ void writeTimeSeries(const Options& options, Picture& picture, const std::string
       vtkExaBricksFirstPicture::AddLogarithm(amr, array, options.Component.value_or(-1));
     }
     picture.DrawOther(amr);
-    series.Add(picture.Pixels());
+    series.Add(picture.Result());
   }
   series.Finish();
 }
 
+// The name of an array's file among several: it comes before the ending.
+std::string nameOfArray(const std::string& path, std::string array)
+{
+  std::replace_if(
+    array.begin(), array.end(),
+    [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '_' && c != '+'; }, '_');
+  const std::filesystem::path all(path);
+  return (all.parent_path() / (all.stem().string() + "-" + array + all.extension().string()))
+    .string();
+}
+
+void drawIntoFile(Options options);
+
+// Each array into files of its own. All are looked for before the first one is drawn.
+void drawArrays(const Options& options)
+{
+  std::set<std::string> outputs;
+  std::vector<Options> all;
+  const AMRFile file(options.Input);
+  for (const std::string& array : options.Arrays)
+  {
+    Options one = options;
+    one.Arrays.clear();
+    one.Array = array;
+    chooseArray(one, file);
+    one.Output = nameOfArray(options.Output, array);
+    one.Statistics = options.Statistics.empty() ? "" : nameOfArray(options.Statistics, array);
+    if (!outputs.insert(one.Output).second)
+    {
+      throw Failure(ExitCode::BadArguments,
+        "--array: of two arrays the picture would be '" + one.Output + "': draw one of them.");
+    }
+    checkWritable(one.Output);
+    all.push_back(one);
+  }
+  for (const Options& one : all)
+  {
+    drawIntoFile(one);
+  }
+}
+
 void drawIntoFile(Options options)
 {
+  if (!options.Arrays.empty())
+  {
+    drawArrays(options);
+    return;
+  }
   auto file = std::make_unique<AMRFile>(options.Input);
   if (options.ListArrays)
   {
@@ -194,7 +242,7 @@ void drawIntoFile(Options options)
   }
   else
   {
-    writePicture(options.Output, picture->Pixels());
+    writePicture(options.Output, picture->Result());
   }
   if (!options.Statistics.empty())
   {

@@ -38,7 +38,8 @@ const char* const Description =
   "  a FLASH .hdf5 file, or a .vtkhdf file (where VTK can read AMR from it).\n"
   "Several are a time series. What is taken from the data is then that of the last one, for all.\n"
   "\n"
-  "OUTPUT is a .png or .jpg, or, of a time series or a turntable, a video: .mp4, .mkv, .webm\n"
+  "OUTPUT is a .png or .jpg, or a .tif of floats: red, green and blue, premultiplied, and opacity of\n"
+  "the volume alone; or, of a time series or a turntable, a video: .mp4, .mkv, .webm\n"
   "(by the program ffmpeg); several pictures are numbered, OUTPUT-0000.png and on.";
 
 const char* const Footer =
@@ -96,7 +97,7 @@ struct Texts
   std::vector<std::string> Files;
   std::string Size, Position, Focal, Up, Background, Component, Opacity, Iso;
   std::vector<double> Range;
-  std::vector<std::string> Slice;
+  std::vector<std::string> Slice, Arrays;
 };
 
 void addOptions(CLI::App& app, Options& o, Texts& texts)
@@ -128,9 +129,11 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
 
   const std::string data = "Data";
   app
-    .add_option(
-      "-a,--array", o.Array, "Cell array to draw [density, temperature, or the first that varies]")
+    .add_option("-a,--array", texts.Arrays,
+      "Cell array to draw [density, temperature, or the first that varies]; of several, each has "
+      "files with its name before their ending")
     ->type_name("NAME")
+    ->allow_extra_args(false)
     ->group(data);
   app.add_option("--component", texts.Component, "Of a vector: N from 0, or magnitude [magnitude]")
     ->type_name("N")
@@ -255,7 +258,7 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
 bool hasOutputEnding(const std::string& path)
 {
   const std::string ending = pictureEnding(path);
-  return ending == ".png" || ending == ".jpg" || Video::IsOne(path);
+  return ending == ".png" || ending == ".jpg" || ending == ".tif" || Video::IsOne(path);
 }
 
 // The last one is the output's; where a scene names the input, or arrays are to be listed, there
@@ -285,6 +288,15 @@ void takeFiles(const std::vector<std::string>& files, Options& o)
 void takeTexts(const Texts& texts, Options& o)
 {
   takeFiles(texts.Files, o);
+  if (!texts.Arrays.empty())
+  {
+    o.Array = texts.Arrays.front();
+    o.Arrays = texts.Arrays;
+    if (o.Arrays.size() == 1)
+    {
+      o.Arrays.clear();
+    }
+  }
   auto vector = [](const char* option, const std::string& text, std::optional<Vector3>& v)
   {
     if (!text.empty())
@@ -352,7 +364,8 @@ std::vector<std::string> colorMaps()
   return names;
 }
 
-void checkTogether(const Options& o, bool viewGiven, bool stepGiven, bool fpsGiven)
+void checkTogether(
+  const Options& o, bool viewGiven, bool stepGiven, bool fpsGiven, bool backgroundGiven)
 {
   auto refuse = [](const std::string& message) { throw Failure(ExitCode::BadArguments, message); };
   if (o.Input.empty())
@@ -393,9 +406,22 @@ void checkTogether(const Options& o, bool viewGiven, bool stepGiven, bool fpsGiv
           ? "A video is of several pictures: give several inputs, or --turntable; or an output "
             "that "
             "ends in .png."
-          : "The output has to end in .png, .jpg or .jpeg, or of several pictures in .mp4, .mkv or "
-            ".webm, found '" +
+          : "The output has to end in .png, .jpg, .jpeg or .tif, or of several pictures in .mp4, "
+            ".mkv "
+            "or .webm, found '" +
             o.Output + "'.");
+    }
+    if (holdsFloats(o.Output) && (o.Annotate || backgroundGiven))
+    {
+      refuse(o.Annotate
+          ? "A .tif holds the volume alone, as floats: leave --annotate out, or give an "
+            "output that ends in .png."
+          : "A .tif holds the volume alone, as floats, with its opacity: leave "
+            "--background out, or give an output that ends in .png.");
+    }
+    if (o.Arrays.size() > 1 && o.Component)
+    {
+      refuse("--component is of one array: give one --array with it.");
     }
     if (o.Turntable > 0 && o.Inputs.size() > 1)
     {
@@ -559,8 +585,8 @@ bool parseOptions(int argc, char** argv, Options& options)
   {
     dropFromScene(app, before, options);
   }
-  checkTogether(
-    options, app.count("--view") > 0, app.count("--step-scale") > 0, app.count("--fps") > 0);
+  checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0,
+    app.count("--fps") > 0, app.count("--background") > 0);
   return true;
 }
 

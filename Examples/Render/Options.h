@@ -45,8 +45,9 @@ struct Options
   bool Annotate = false;
   bool Quiet = false;
 
-  std::string Array;            // empty: density, temperature, or the first scalar one that varies
-  std::optional<int> Component; // none: the magnitude of a vector
+  std::string Array; // empty: density, temperature, or the first scalar one that varies
+  std::vector<std::string> Arrays; // of several, each drawn into files of its own; empty: it is one
+  std::optional<int> Component;    // none: the magnitude of a vector
   bool Log = false;
   bool Linear = false; // not even where logarithms would show more
   int Levels = 0;      // 0: all

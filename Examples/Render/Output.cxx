@@ -10,6 +10,7 @@
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkTIFFWriter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cerrno>
@@ -18,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #ifdef _WIN32
 #include <process.h>
@@ -146,6 +148,31 @@ void writeWhole(const std::string& path, const char* bytes, std::size_t size)
   }
 }
 
+// VTK's writer takes files alone: by way of one of its own.
+void writeFloats(const std::string& path, vtkImageData* image)
+{
+  std::error_code ignored;
+  const std::string temporary =
+    temporaryBeside((fs::temp_directory_path(ignored) / fs::path(path).filename()).string());
+  std::string bytes;
+  {
+    vtkNew<vtkTIFFWriter> writer;
+    writer->SetInputData(image);
+    writer->SetCompressionToNoCompression(); // the others spoil floats
+    writer->SetFileName(temporary.c_str());
+    writer->Write();
+    std::ifstream file(temporary, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), {});
+    fs::remove(temporary, ignored);
+  }
+  throwIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
+  if (bytes.empty())
+  {
+    refuseOutput(path, "there is no room for it in the folder for temporary files.");
+  }
+  writeWhole(path, bytes.data(), bytes.size());
+}
+
 }
 
 std::string temporaryBeside(const std::string& path)
@@ -201,11 +228,18 @@ void writeText(const std::string& path, const std::string& text)
 std::string pictureEnding(const std::string& path)
 {
   const std::string ending = lowerCase(fs::path(path).extension().string());
-  return ending == ".jpeg" ? ".jpg" : ending;
+  return ending == ".jpeg" ? ".jpg" : ending == ".tiff" ? ".tif" : ending;
 }
+
+bool holdsFloats(const std::string& path) { return pictureEnding(path) == ".tif"; }
 
 void writePicture(const std::string& path, vtkImageData* image)
 {
+  if (holdsFloats(path))
+  {
+    writeFloats(path, image);
+    return;
+  }
   const auto write = [&](auto* writer)
   {
     writer->SetInputData(image);

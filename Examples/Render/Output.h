@@ -23,9 +23,12 @@ void replaceBy(const std::string& path, const std::string& finished);
 
 void writeText(const std::string& path, const std::string& text);
 
-// Of a picture's file: .png, .jpg (of .jpeg too), or another one in small letters.
+// Of a picture's file: .png, .jpg (of .jpeg too), .tif (of .tiff too), or another one in small
+// letters.
 std::string pictureEnding(const std::string& path);
-// PNG or JPEG, by the ending.
+// Whether the picture's colors are floats there.
+bool holdsFloats(const std::string& path);
+// PNG or JPEG, or of floats TIFF, by the ending.
 void writePicture(const std::string& path, vtkImageData* image);
 
 }

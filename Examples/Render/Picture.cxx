@@ -5,6 +5,7 @@
 #include "Annotation.h"
 #include "Framing.h"
 #include "Messages.h"
+#include "Output.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -364,6 +365,22 @@ vtkSmartPointer<vtkImageData> Picture::Pixels() const
   grab->Update();
   throwIfErrors(ExitCode::RenderingFailed, "The picture could not be read from the window");
   return grab->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> Picture::Floats()
+{
+  vtkNew<vtkImageData> image;
+  this->VolumeMapper->RenderToImageOn();
+  this->VolumeMapper->SetColorImageScalarTypeToFloat();
+  this->DrawFrame();
+  this->VolumeMapper->GetColorImage(image);
+  this->VolumeMapper->RenderToImageOff();
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> Picture::Result()
+{
+  return holdsFloats(this->Asked.Output) ? this->Floats() : this->Pixels();
 }
 
 }

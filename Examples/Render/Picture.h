@@ -46,7 +46,12 @@ public:
   // Draws after the camera has gone around the upward axis by so many degrees.
   void Turn(double degrees);
 
+  // As it is in the window, in bytes.
   vtkSmartPointer<vtkImageData> Pixels() const;
+  // Of the volume alone: red, green and blue, premultiplied, and opacity.
+  vtkSmartPointer<vtkImageData> Floats();
+  // What the output's ending asks for.
+  vtkSmartPointer<vtkImageData> Result();
 
   vtkExaBricksVolumeMapper* Mapper() const;
   vtkExaBricksData* Data() const;

@@ -3,13 +3,14 @@
 
 #include "Adapters/FirstSeen.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 namespace exabricks
@@ -69,25 +70,29 @@ std::string ImageOutput::draw(
   return {};
 }
 
-void ImageOutput::getColors(vtkImageData* image) const
+void ImageOutput::getColors(int scalarType, vtkImageData* image) const
 {
   prepare(image, this->Width, this->Height);
-  vtkNew<vtkUnsignedCharArray> bytes;
-  bytes->SetName("colors");
-  bytes->SetNumberOfComponents(4);
-  bytes->SetNumberOfTuples(static_cast<vtkIdType>(this->Colors.size()));
-  unsigned char* byte = bytes->GetPointer(0);
+  const auto colors =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(this->Colors.size()));
   for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {
-    const glm::vec4 color =
-      this->BackDepths[i] > 1.0f ? glm::vec4(1.0f, 1.0f, 1.0f, 0.0f) : this->Colors[i];
-    for (int channel = 0; channel < 4; ++channel)
+    const auto tuple = static_cast<vtkIdType>(i);
+    if (scalarType == VTK_FLOAT)
     {
-      *byte++ =
-        static_cast<unsigned char>(std::lround(255.0f * std::clamp(color[channel], 0.0f, 1.0f)));
+      const glm::vec4& color = this->Colors[i];
+      colors->SetTuple4(tuple, color.r, color.g, color.b, color.a);
+      continue;
     }
+    const glm::vec4 color = glm::round(255.0f *
+      glm::clamp(this->BackDepths[i] > 1.0f ? glm::vec4(1.0f, 1.0f, 1.0f, 0.0f) : this->Colors[i],
+        0.0f, 1.0f));
+    colors->SetTuple4(tuple, color.r, color.g, color.b, color.a);
   }
-  image->GetPointData()->SetScalars(bytes);
+  image->GetPointData()->SetScalars(colors);
 }
 
 void ImageOutput::getDepths(int scalarType, bool clampToBackFace, vtkImageData* image) const

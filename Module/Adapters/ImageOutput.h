@@ -21,9 +21,9 @@ public:
   std::string draw(
     VolumeRenderer& renderer, View view, const glm::dvec3& size, const ColorWindow& colors);
 
-  /// Red, green and blue, premultiplied, and opacity, as bytes; white without opacity beyond the
-  /// bounds. Without points before anything was drawn.
-  void getColors(vtkImageData* image) const;
+  /// Red, green and blue, premultiplied, and opacity: as bytes, white without opacity beyond the
+  /// bounds, or as floats, as they are. Without points before anything was drawn.
+  void getColors(int scalarType, vtkImageData* image) const;
 
   /// Window depths of where anything is first seen, in [0, 1], as float, or of unsigned char or
   /// short up to their greatest number. Where nothing is, 1, or where the bounds end.

@@ -163,6 +163,34 @@ void checkBackFace(test::Checks& checks)
   checks.Expect(unlike <= 20, "depths of the back face elsewhere: " + std::to_string(unlike));
 }
 
+// Ours has floats too, which are those of the bytes, and beyond the bounds nothing.
+void checkFloats(test::Checks& checks)
+{
+  Images scene;
+  scene.DrawBoth();
+  scene.mapper->GetColorImage(scene.ours);
+  vtkNew<vtkImageData> floats;
+  scene.mapper->SetColorImageScalarTypeToFloat();
+  scene.mapper->GetColorImage(floats);
+  checks.Equal(floats->GetScalarType(), VTK_FLOAT, "type of floats");
+  vtkDataArray* bytes = scene.ours->GetPointData()->GetScalars();
+  vtkDataArray* colors = floats->GetPointData()->GetScalars();
+  double most = 0.0;
+  int drawn = 0;
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    const bool isWhite = bytes->GetTuple4(i)[3] == 0.0; // beyond
+    drawn += isWhite ? 0 : 1;
+    for (int c = 0; c < 4; ++c)
+    {
+      const double found = 255.0 * colors->GetComponent(i, c);
+      most = std::max(most, std::abs(found - (isWhite ? 0.0 : bytes->GetComponent(i, c))));
+    }
+  }
+  checks.Expect(drawn > 1000, "something is drawn");
+  checks.Expect(most < 0.501, "floats are those of the bytes: " + std::to_string(most));
+}
+
 // Where one is asked for that there is not, it says so, and keeps what was set.
 void checkMessages(test::Checks& checks)
 {
@@ -171,6 +199,9 @@ void checkMessages(test::Checks& checks)
   scene.mapper->SetDepthImageScalarType(VTK_INT);
   checks.Says(messages.TakeErrors(), { "VTK_FLOAT" }, "type of depths");
   checks.Equal(scene.mapper->GetDepthImageScalarType(), VTK_FLOAT, "type of depths");
+  scene.mapper->SetColorImageScalarType(VTK_INT);
+  checks.Says(messages.TakeErrors(), { "VTK_FLOAT" }, "type of colors");
+  checks.Equal(scene.mapper->GetColorImageScalarType(), VTK_UNSIGNED_CHAR, "type of colors");
   scene.mapper->GetColorImage(nullptr);
   checks.Says(messages.TakeErrors(), { "Expected an image" }, "no image");
 }
@@ -183,6 +214,7 @@ int RenderToImageLikeVTK(int, char*[])
   checkColors(checks);
   checkDepths(checks);
   checkBackFace(checks);
+  checkFloats(checks);
   checkMessages(checks);
   return checks.Status();
 }
