@@ -17,8 +17,8 @@ namespace
 constexpr double PieceSeconds = 0.03;  // as long as a piece of a picture takes
 constexpr double GreatestGrowth = 4.0; // of one piece to the next
 
-// Of the steps of pictures, up to one of a cell: in fog of noise they take a quarter off the time and
-// 0.3 dB at most off pictures of 51 to 64 dB.
+// Of the steps of pictures, up to one of a cell: in fog of noise they take a quarter off the time
+// and 0.3 dB at most off pictures of 51 to 64 dB.
 constexpr double StepsOfPicture = 2.0;
 
 const char* const Contents = "the shadows of the lights";
@@ -48,6 +48,7 @@ ShadowCause::ShadowCause(const View& view)
   , StepScale(StepsOfPicture * std::min(view.quality.stepScale, 1.0))
   , SampleDistance(view.quality.sampleDistance)
   , Reach(view.lighting->scattering->reach)
+  , UndefinedColor(view.undefinedColor)
   , Lights(view.lighting->lights)
   , DataToWorld(view.lighting->dataToWorld)
 {
@@ -59,7 +60,7 @@ bool ShadowCause::isOfSameMedium(const ShadowCause& other) const
     isAlmost(this->HalfCellsToData, other.HalfCellsToData) &&
     this->OpacityUnitDistance == other.OpacityUnitDistance && this->StepScale == other.StepScale &&
     this->SampleDistance == other.SampleDistance && this->Reach == other.Reach &&
-    this->Lights.size() == other.Lights.size();
+    this->UndefinedColor == other.UndefinedColor && this->Lights.size() == other.Lights.size();
 }
 
 View ShadowCause::steady(View view) const

@@ -42,6 +42,7 @@ private:
   double StepScale;
   double SampleDistance;
   double Reach;
+  std::optional<glm::dvec4> UndefinedColor;
   std::vector<Light> Lights;
   glm::dmat3 DataToWorld;
 };
