@@ -38,7 +38,8 @@ const char* const Description =
   "  a FLASH .hdf5 file, or a .vtkhdf file (where VTK can read AMR from it).\n"
   "Several are a time series. What is taken from the data is then that of the last one, for all.\n"
   "\n"
-  "OUTPUT is a .png or .jpg, or a .tif of floats: red, green and blue, premultiplied, and opacity of\n"
+  "OUTPUT is a .png or .jpg, or a .tif of floats: red, green and blue, premultiplied, and opacity "
+  "of\n"
   "the volume alone; or, of a time series or a turntable, a video: .mp4, .mkv, .webm\n"
   "(by the program ffmpeg); several pictures are numbered, OUTPUT-0000.png and on.";
 

@@ -230,33 +230,3 @@ TEST(CastsShadows, OrIsGivenUp)
   EXPECT_TRUE(picture.empty());
   EXPECT_EQ(test.draw().pixels, whole.pixels);
 }
-
-// As many lights as there may be, through components that have opacities of their own.
-TEST(CastsShadows, OfComponentsWithEightLights)
-{
-  const reference::Scene scene = reference::twoLevels();
-  Case test(scene);
-  const Volume alone = test.subject.plain;
-  test.settings.lighting = lightFrom({ 0.7, 0.5, 0.2 }, { 2.0, 0.0, 1.0 });
-  for (int i = 1; i < 8; ++i)
-  {
-    test.settings.lighting->lights.push_back(test.settings.lighting->lights[0]);
-    test.settings.lighting->lights.back().direction =
-      glm::normalize(glm::dvec3(std::sin(i), std::cos(i), std::sin(3.0 * i)));
-  }
-  for (Light& light : test.settings.lighting->lights)
-  {
-    light.diffuse = glm::dvec3(0.15);
-  }
-  const reference::Image one = test.draw();
-  EXPECT_GE(reference::psnrOfDrawn(one, test.truth()), 55.0);
-  // Twice the same component, each of half the weight, is that component.
-  Medium medium;
-  medium.functions = { fog(), fog() };
-  medium.weights = { 0.5f, 0.5f, 0.0f, 0.0f };
-  test.subject.renderer.setVolume({ alone.structure, alone.values, { alone.values } });
-  test.subject.renderer.setMedium(medium);
-  const double same = reference::psnrOfDrawn(test.draw(), one);
-  std::cout << "two halves: " << same << " dB\n";
-  EXPECT_GE(same, 60.0);
-}
