@@ -3,6 +3,9 @@
 
 #include "Core/Stopwatch.h"
 
+#include <algorithm>
+#include <chrono>
+
 namespace exabricks
 {
 namespace vulkan
@@ -214,16 +217,23 @@ void LevelsOfDetail::makeAhead(int levelsLeftOut)
 {
   const auto count = static_cast<std::size_t>(levelsLeftOut);
   const bool noneLeft = this->CoarsestMade && count >= this->Levels.size();
-  if (this->MadeAhead.valid() || this->empty() || noneLeft || levelsLeftOut <= this->ready())
+  const auto isDone = [](const std::future<std::vector<OnHost>>& made)
+  { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
+  this->Dropped.erase(
+    std::remove_if(this->Dropped.begin(), this->Dropped.end(), isDone), this->Dropped.end());
+  // One thread at a time.
+  const bool isBusy = this->MadeAhead.valid() || !this->Dropped.empty();
+  if (isBusy || this->empty() || noneLeft || levelsLeftOut <= this->ready())
   {
     return;
   }
-  this->GivenUp = false;
+  this->GivenUp = std::make_shared<std::atomic<bool>>(false);
   this->CountAhead = count;
   try
   {
     this->MadeAhead = std::async(std::launch::async,
-      [this, known = this->Known(), count] { return Make(known, count, this->GivenUp); });
+      [givenUp = this->GivenUp, known = this->Known(), count]
+      { return Make(known, count, *givenUp); });
   }
   catch (const std::exception&) // no thread is to be had
   {
@@ -248,11 +258,14 @@ void LevelsOfDetail::TakeAhead()
   }
 }
 
-// Waits until the level is made that is being made.
+// Nobody waits for a level that is being made: it comes to its end by itself.
 void LevelsOfDetail::DropAhead()
 {
-  this->GivenUp = true;
-  this->MadeAhead = {};
+  if (this->MadeAhead.valid())
+  {
+    *this->GivenUp = true;
+    this->Dropped.push_back(std::move(this->MadeAhead));
+  }
 }
 
 int LevelsOfDetail::ready()

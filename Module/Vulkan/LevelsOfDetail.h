@@ -28,6 +28,7 @@ struct Selection
 class LevelsOfDetail
 {
 public:
+  /// Waits for the level that is being made, if any is.
   ~LevelsOfDetail() { this->DropAhead(); }
 
   /// Another array or time step on the same structure keeps all but values; of another structure
@@ -94,11 +95,12 @@ private:
   void TakeAhead();
   void DropAhead();
 
-  std::vector<Level> Levels;          // the whole volume, and then one level less each
-  bool CoarsestMade = false;          // there are no more levels to leave out
-  std::atomic<bool> GivenUp{ false }; // what is being made is of no use any more
-  std::size_t CountAhead = 0;         // of levels that are left out of it
+  std::vector<Level> Levels;                  // the whole volume, and then one level less each
+  bool CoarsestMade = false;                  // there are no more levels to leave out
+  std::shared_ptr<std::atomic<bool>> GivenUp; // what is being made is of no use any more
+  std::size_t CountAhead = 0;                 // of levels that are left out of it
   std::future<std::vector<OnHost>> MadeAhead;
+  std::vector<std::future<std::vector<OnHost>>> Dropped; // that have not come to their end yet
   double UploadTime = 0.0;
   double SelectionTime = 0.0;
   std::size_t StructureUploads = 0;
