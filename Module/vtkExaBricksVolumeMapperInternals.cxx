@@ -344,7 +344,12 @@ void vtkExaBricksVolumeMapper::vtkInternals::ReportFault(const std::string& faul
 {
   if (!fault.empty() && fault != this->ReportedFault)
   {
-    vtkErrorWithObjectMacro(this->Self, "The volume is not drawn: " << fault << ".");
+    vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+    const int count = processes ? processes->GetNumberOfProcesses() : 1;
+    const std::string what = count > 1 ? "The part of process " +
+        std::to_string(processes->GetLocalProcessId()) + " of " + std::to_string(count)
+                                       : "The volume";
+    vtkErrorWithObjectMacro(this->Self, << what << " is not drawn: " << fault << ".");
   }
   this->ReportedFault = fault;
 }

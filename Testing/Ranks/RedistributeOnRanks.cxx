@@ -223,6 +223,22 @@ void checkFaults(test::Checks& checks, vtkMPIController* controller)
   stage.window->Render();
   checks.Says(
     messages.TakeWarnings(), { "vtkExaBricksRedistribute" }, "an AMR that is not shared out");
+
+  // A process that cannot draw says so with its number, and the others draw theirs.
+  redistribute->Update();
+  test::Stage part(outputOf(redistribute));
+  part.Property()->GetScalarOpacity()->AddPoint(0.0, 0.5);
+  part.Property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  if (rank == 2)
+  {
+    part.mapper->SetDevice("abacus");
+  }
+  part.window->Render();
+  checks.Equal(part.mapper->GetDrawn(), rank != 2, "a process without a device");
+  const std::string said = messages.TakeErrors();
+  rank == 2
+    ? checks.Says(said, { "process 2 of " + std::to_string(ranks), "abacus" }, "without a device")
+    : checks.Silent(said, "those with one");
   vtkMultiProcessController::SetGlobalController(nullptr);
 }
 }
