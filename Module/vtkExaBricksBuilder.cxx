@@ -2,7 +2,7 @@
 #include "vtkExaBricksBuilder.h"
 
 #include "Adapters/AMRCompatibility.h"
-#include "Adapters/AMRInput.h"
+#include "Adapters/AMRCellSource.h"
 #include "Adapters/AMRPart.h"
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/UnfinishedRun.h"

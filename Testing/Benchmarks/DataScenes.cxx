@@ -4,7 +4,7 @@
 
 #include "VTKScene.h"
 
-#include "Adapters/AMRInput.h"
+#include "Adapters/AMRCellSource.h"
 #include "Adapters/PropertyInput.h"
 
 #include "Display.h"

@@ -3,7 +3,7 @@
 
 #include "MakeAMR.h"
 
-#include "Adapters/AMRInput.h"
+#include "Adapters/AMRCellSource.h"
 #include "Adapters/PropertyInput.h"
 #include "Adapters/ViewInput.h"
 #include "Vulkan/Device.h"
