@@ -2,15 +2,54 @@
 #include "Adapters/SharedStructure.h"
 
 #include "Adapters/AMRCompatibility.h"
+#include "Adapters/Ghosts.h"
 
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace exabricks
 {
+namespace
+{
+// Arrays of points do not travel, so that cells at hidden points are marked themselves. The grid
+// itself, if no point is hidden.
+vtkSmartPointer<vtkImageData> hideCellsOfHiddenPoints(vtkImageData* grid)
+{
+  const unsigned char* const points =
+    findGhosts(grid->GetPointData(), grid->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
+  if (!points)
+  {
+    return grid;
+  }
+  const vtkIdType cells = grid->GetNumberOfCells();
+  const unsigned char* const before = findGhosts(grid->GetCellData(), cells, 0xff);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfTuples(cells);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    grid->GetCellPoints(cell, corners);
+    const bool isHidden = std::any_of(corners->begin(), corners->end(),
+      [&](vtkIdType point) { return points[point] & vtkDataSetAttributes::HIDDENPOINT; });
+    const int mark = (before ? before[cell] : 0) |
+      (isHidden ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL) : 0);
+    marks->SetValue(cell, static_cast<unsigned char>(mark));
+  }
+  auto marked = vtkSmartPointer<vtkImageData>::Take(grid->NewInstance());
+  marked->ShallowCopy(grid);
+  marked->GetCellData()->AddArray(marks);
+  return marked;
+}
+}
+
 LocalBlocks::LocalBlocks(vtkOverlappingAMR* amr, const LevelRange& levels)
 {
   bool any = false;
@@ -24,6 +63,10 @@ LocalBlocks::LocalBlocks(vtkOverlappingAMR* amr, const LevelRange& levels)
   if (any)
   {
     this->input = readAMR(amr, levels);
+    for (vtkSmartPointer<vtkImageData>& grid : this->input.grids)
+    {
+      grid = hideCellsOfHiddenPoints(grid);
+    }
     for (const Block& block : this->input.hierarchy.blocks)
     {
       this->level.push_back(this->input.amrLevel[static_cast<std::size_t>(block.level)]);

@@ -95,6 +95,30 @@ void checkCells(test::Checks& checks, vtkMPIController* controller)
   checks.Equal(range[1], slope(127.5, 7.5, 7.5), "greatest value of all processes");
 }
 
+// What hides cells travels with them, as marks of cells.
+void checkHidden(test::Checks& checks, vtkMPIController* controller)
+{
+  auto input = deal(controller->GetLocalProcessId(), controller->GetNumberOfProcesses());
+  if (controller->GetLocalProcessId() == 1)
+  {
+    vtkDataSet* const block = exabricks::getFirstBlock(input);
+    block->AllocatePointGhostArray();
+    const vtkIdType inside = 4 + 9 * (4 + 9 * 4); // of eight cells
+    block->GetPointGhostArray()->SetValue(inside, vtkDataSetAttributes::HIDDENPOINT);
+  }
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  redistribute->SetInputData(input);
+  redistribute->Update();
+  vtkNew<vtkExaBricksBuilder> builder;
+  builder->SetInputConnection(redistribute->GetOutputPort());
+  builder->Update();
+  const vtkIdType own = builder->GetOutput()->GetNumberOfAbsentCells();
+  vtkIdType all = 0;
+  controller->AllReduce(&own, &all, 1, vtkCommunicator::MAX_OP);
+  checks.Equal(all, 8, "cells of a hidden point, where they are drawn");
+}
+
 // Other values on the same boxes move, and nothing else is done anew.
 void checkTimeSteps(test::Checks& checks, vtkMPIController* controller)
 {
@@ -252,6 +276,7 @@ int main(int argc, char* argv[])
     test::Checks checks;
     checks.Expect(controller->GetNumberOfProcesses() >= 3, "run by mpiexec -n 3 or more");
     checkCells(checks, controller);
+    checkHidden(checks, controller);
     checkTimeSteps(checks, controller);
     checkMessages(checks, controller);
     checkFaults(checks, controller);
