@@ -82,6 +82,14 @@ def compare():
 
     # Each rank would choose steps and levels of its own; ParaView puts pictures one over the other.
     first = picture(view, "first")
+    # With image reduction ranks draw fewer pixels, of all that shows.
+    view.StillRenderImageReductionFactor = 2
+    reduced = picture(view, "reduced")
+    print(f"a quarter of the pixels: {decibel(reduced, first):.1f} dB, drawn {drawn(reduced):.3f} of {drawn(first):.3f}")
+    assert 22.0 < decibel(reduced, first) < 45.0, decibel(reduced, first)
+    assert abs(drawn(reduced) - drawn(first)) < 0.02, (drawn(reduced), drawn(first))
+    view.StillRenderImageReductionFactor = 1
+    expect_alike(picture(view, "unreduced"), first, 70.0, "without it again")
     display.ErrorTolerance = 0.05
     expect_alike(picture(view, "tolerance"), first, 70.0, "with a tolerance")
     collector.expect_said(f"{RANKS} ranks", "ErrorTolerance is not used")

@@ -56,20 +56,6 @@ try:
     simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 1000
     expect_alike(picture(view, "threshold"), local, 50.0, "below the threshold of remote rendering")
 
-    # With image reduction the server draws fewer pixels, still or while something moves, of all that shows.
-    settings = simple.GetSettingsProxy("RenderViewSettings")
-    settings.RemoteRenderThreshold = 0
-    whole = picture(view, "unreduced")
-    settings.StillRenderImageReductionFactor = 3
-    reduced = picture(view, "reduced")
-    print("reduced by 3:", decibel(reduced, whole), "dB")
-    assert 22.0 < decibel(reduced, whole) < 45.0, decibel(reduced, whole)
-    assert abs(drawn(reduced) - drawn(whole)) < 0.05, (drawn(reduced), drawn(whole))
-    settings.StillRenderImageReductionFactor = 1
-    settings.ImageReductionFactor = 5
-    view.SMProxy.InteractiveRender()
-    expect_alike(picture(view, "stillAfterMoving"), whole, 60.0, "still, after it moved with image reduction")
-
     # The cells come to the client.
     cells = simple.ExaBricksCells(Input=scene)
     cells.UpdatePipeline()
