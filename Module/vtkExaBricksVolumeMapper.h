@@ -320,12 +320,15 @@ public:
    * field does not change rather scatters light as a medium; of 2 everything does, and normals do
    * not count. By the property's ScatteringAnisotropy (VTK 9.2 and later) more of it goes onwards,
    * or back. GlobalIlluminationReach: how far the volume casts shadows on itself, for what is
-   * scattered: 0 (default), not at all; 1, through all of the bounds; half of them at about 0.88.
+   * scattered: 0 (default), not at all; 1, through all of the bounds; half as far as they
+   * reach along an axis at 0.64, half of their diagonal at 0.88.
    *
    * How much of each light comes to each cell is found once for as long as lights and opacities
    * stay, wherever the camera is, and is reconstructed between cells as the field is: shadows are
-   * as fine as the cells are. That takes memory for as many values as cells and lights, and about
-   * the time in which rays through as many pixels as there are cells are marched. A headlight moves
+   * as fine as the cells are. That takes memory for as many values as cells and lights (of
+   * several components for multiples of as many), and for each light about the time in which rays
+   * through as many pixels as there are cells are marched: with steps of two cells, or twice the
+   * StepScale if that is below 1, whatever the ErrorTolerance. A headlight moves
    * with the camera; while something moves, shadows are those of where the lights were. What is
    * behind opaque geometry is not shadowed by it. Of several volumes, or processes, each casts
    * shadows on itself alone.

@@ -186,11 +186,16 @@ exabricks::Requests vtkExaBricksVolumeMapper::vtkInternals::CheckLighting(
   vtkVolumeProperty* property, const exabricks::BrickedVolume& bricked) const
 {
   exabricks::Requests requests;
-  if (exabricks::takesNormalsFromOpacity(this->Self) && exabricks::isPlanar(property, bricked))
+  const bool ofDependent = bricked.volume.components() > 1 &&
+    !exabricks::isIndependent(property, bricked) &&
+    exabricks::findBlending(this->Self) == exabricks::Blending::Isosurface;
+  if (exabricks::takesNormalsFromOpacity(this->Self) &&
+    (exabricks::isPlanar(property, bricked) || ofDependent))
   {
-    requests.drawnWithout.emplace_back("ComputeNormalFromOpacity has no meaning with a 2-D "
-                                       "transfer function: the volume is drawn with "
-                                       "normals against the gradient of values.");
+    requests.drawnWithout.emplace_back(
+      "ComputeNormalFromOpacity has no meaning with a 2-D transfer function, and for iso-surfaces "
+      "of one component with the opacity of another: the volume is drawn with normals against the "
+      "gradient of values.");
   }
   const bool scatters = this->Self->VolumetricScatteringBlending > 0.0f;
   const bool shadows = this->Self->GlobalIlluminationReach > 0.0f;
@@ -202,7 +207,7 @@ exabricks::Requests vtkExaBricksVolumeMapper::vtkInternals::CheckLighting(
   }
   if (scatters &&
     (exabricks::findBlending(this->Self) != exabricks::Blending::Composite ||
-      !property->GetShade(bricked.propertyComponent)))
+      !exabricks::isShaded(property, bricked)))
   {
     requests.drawnWithout.emplace_back(
       "VolumetricScatteringBlending counts with blend mode composite and the property's Shade: the "

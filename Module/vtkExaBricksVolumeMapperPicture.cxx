@@ -281,6 +281,7 @@ std::string vtkExaBricksVolumeMapper::vtkInternals::RenderPicture(vtkRenderer* r
       ren, other.volume, *other.bricked, view.target.width, view.target.height);
     beside.quality.stepGrowth = view.quality.stepGrowth;
     beside.quality.keepsSampling = view.quality.keepsSampling;
+    beside.quality.lagsShadows = view.quality.lagsShadows;
     volumes.push_back({ &other.internals->Renderer, beside, sizeOf(*other.bricked) });
   }
   return exabricks::renderJointly(volumes, view.target, picture, marching, progress);
@@ -374,5 +375,8 @@ exabricks::View vtkExaBricksVolumeMapper::vtkInternals::MakeCoarseView(vtkRender
     view.quality.levelsLeftOut = this->Coarseness.levelsLeftOut;
   }
   view.quality.keepsSampling = this->AdjustsSampleDistances(ren);
+  // Only where a picture comes that stands still.
+  view.quality.lagsShadows =
+    view.quality.keepsSampling && this->Self->InteractiveAdjustSampleDistances != 0;
   return view;
 }

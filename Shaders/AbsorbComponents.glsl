@@ -8,14 +8,14 @@ struct Piece
   vec4 to;
   float units;      // its length, in unit distances of opacity
   mat4x3 gradients; // in its middle, as sampleComponents() has them
-  Spot spot;        // but for its gradient and its value
+  Spot spot;        // but for its gradient and its values
 };
 
 Spot spotOfComponent(Piece piece, uint component)
 {
   Spot spot = piece.spot;
   spot.gradient = piece.gradients[component];
-  spot.value = 0.5 * (piece.from[component] + piece.to[component]);
+  spot.values = vec2(piece.from[component], piece.to[component]);
   return spot;
 }
 
@@ -72,6 +72,7 @@ vec4 absorbComponents(Piece piece)
       found = seen.a > 0.0 && seen.a < 1.0 ? seen * (-log(1.0 - seen.a) / (seen.a * units))
                                            : vec4(0.0);
     }
+    const float opacity = 1.0 - exp(-found.a); // of the unit distance, by the function alone
     found *= weight * (units / piece.units) * color;
     surface *= color;
     // It is one or the other.
@@ -79,7 +80,7 @@ vec4 absorbComponents(Piece piece)
     vec4 seen = isSurface ? surface : found;
     if (isShaded && seen.a > 0.0)
     {
-      seen = shade(seen, isSurface ? 1.0 : opacityOfUnit(1.0 - exp(-seen.a), 1.0), spot, i);
+      seen = shade(seen, isSurface ? 1.0 : opacity, spot, i);
     }
     extinction += isSurface ? vec4(0.0) : seen;
     surfaces += isSurface ? seen : vec4(0.0);

@@ -85,7 +85,7 @@ void addSurface(float value, Cursor cursor, Ray ray, float at, inout Accumulator
   {
     gradient = sampleFieldJet(cursor.brick, cursor.others, ray, at).xyz;
   }
-  const Spot spot = spotAt(ray, cursor.brick, cursor.others, at, value, gradient);
+  const Spot spot = spotAt(ray, cursor.brick, cursor.others, at, vec2(value), gradient);
   vec4 color = colorOfSurface(value, gradient, cursor, ray, at);
   if (hasGradientOpacity)
   {

@@ -33,9 +33,12 @@ bool findWay(FrameBuffer f, uvec2 place, out Line line, out Pair begin, out Pair
   const ivec3 centre = clamp(brick.lo + brick.width * (2 * cell + 1), ivec3(0), f.frame.size);
   const Light light = f.frame.lights[place.y];
   const vec3 path = light.positional != 0u ? light.inHalfCells - vec3(centre) : light.inHalfCells;
-  const float far = length(path);
+  // Of any length that floats hold.
+  const vec3 size = abs(path);
+  const float largest = max(size.x, max(size.y, size.z));
+  const float far = largest * length(path / largest);
   line.origin = Pair3(vec3(centre), vec3(centre - ivec3(vec3(centre))));
-  line.direction = withoutZeros(Pair3(path / far, vec3(0.0)));
+  line.direction = withoutZeros(Pair3(normalize(path / largest), vec3(0.0)));
   line.unitsPerHalfCell = unitsAlong(f, line.direction.high);
   begin = makePair(0.0);
   const float reach = f.frame.shadowReach / length(line.direction.high / vec3(f.frame.size));

@@ -5,7 +5,7 @@
 struct Spot
 {
   vec3 gradient;  // by half cells
-  float value;    // of what has that gradient, in the middle
+  vec2 values;    // of what has that gradient, where the piece begins and ends
   float width;    // of a cell there, in finest cells
   vec3 place;     // of its middle, half cells
   vec3 direction; // of the ray
@@ -17,10 +17,10 @@ struct Spot
 #endif
 };
 
-Spot spotAt(Ray ray, Brick brick, uint others, float distance, float value, vec3 gradient)
+Spot spotAt(Ray ray, Brick brick, uint others, float distance, vec2 values, vec3 gradient)
 {
   Spot spot;
-  spot.value = value;
+  spot.values = values;
   spot.gradient = gradient;
   spot.width = float(brick.width);
   spot.place = vec3(ray.base) + (ray.fraction + distance * ray.direction);
@@ -52,12 +52,23 @@ vec3 toWorld(vec3 halfCells)
     constants.frame.halfCellsToWorldZ * halfCells.z;
 }
 
-// On which side of a place opacity, by the function that is selected, is greater: where values are greater
-// (1), where they are less (-1), or nowhere.
-float sideOfOpacity(float value)
+float opacityIn(TransferPart part) { return mix(part.lower.a, part.upper.a, part.fraction); }
+
+// Where opacity, by the function that is selected, is greater: where values are greater (1), where they
+// are less (-1), or nowhere. In the middle of a piece, or where it is level there, over all of the piece,
+// on which there may be a jump.
+float sideOfOpacity(vec2 values)
 {
-  const TransferPart part = findPart(value);
-  return sign(part.upper.a - part.lower.a);
+  const TransferPart part = findPart(0.5 * (values.x + values.y));
+  const float slope = part.upper.a - part.lower.a;
+  if (slope != 0.0)
+  {
+    return sign(slope);
+  }
+  const float first = opacityIn(findPart(values.x));
+  const float last = opacityIn(findPart(values.y));
+  const bool isLevel = abs(last - first) < 1e-4 * max(first, last); // but for rounding
+  return isLevel ? 0.0 : sign(values.y - values.x) * sign(last - first);
 }
 
 // Against the gradient, of values or of opacity, of length 1; or 0, where the field changes by no more
@@ -68,7 +79,7 @@ vec3 normalAt(Spot spot)
     constants.frame.gradientToWorldY * spot.gradient.y +
     constants.frame.gradientToWorldZ * spot.gradient.z;
   const float change = length(spot.gradient) * spot.width;
-  const float side = hasNormalsOfOpacity ? sideOfOpacity(spot.value) : 1.0;
+  const float side = hasNormalsOfOpacity ? sideOfOpacity(spot.values) : 1.0;
   return change > 1e-6 ? -side * normalize(normal) : vec3(0.0);
 }
 
@@ -105,8 +116,8 @@ float shineOf(float cosine, vec3 normal, vec3 toLight, vec3 view, float power)
 float phaseOf(float cosine)
 {
   const float g = constants.frame.scatteringAnisotropy;
-  const float d = 1.0 + g * g - 2.0 * g * cosine;
-  return abs(g) < 0.01 ? 1.0 : (1.0 - g * g) / max(d * sqrt(d), 1e-6);
+  const float d = 1.0 + g * g - 2.0 * g * clamp(cosine, -1.0, 1.0);
+  return abs(g) < 0.01 ? 1.0 : (1.0 - g * g) / (d * sqrt(d));
 }
 
 // How much of what is seen of a place is scattered by a medium, and not reflected by a surface, which is

@@ -25,7 +25,7 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
         gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
       }
       addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
-        spotAt(ray, cursor.brick, cursor.others, middle, value, gradient), gathered);
+        spotAt(ray, cursor.brick, cursor.others, middle, vec2(value), gradient), gathered);
     }
   }
   else

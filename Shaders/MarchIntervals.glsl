@@ -95,7 +95,7 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
       const float next = k == count ? value : middle;
       const vec3 nextGradient = k == count ? gradient : middleGradient;
       const Spot spot = spotAt(ray, cursor.brick, cursor.others,
-        cursor.entry + (float(k) - 0.5) / float(count) * length, 0.5 * (cursor.value + next),
+        cursor.entry + (float(k) - 0.5) / float(count) * length, vec2(cursor.value, next),
         0.5 * (cursor.gradient + nextGradient));
       if (!isIsosurface)
       {

@@ -178,6 +178,10 @@ void drawArrays(const Options& options)
         "--array: of two arrays the picture would be '" + one.Output + "': draw one of them.");
     }
     checkWritable(one.Output);
+    if (!one.Statistics.empty())
+    {
+      checkWritable(one.Statistics);
+    }
     all.push_back(one);
   }
   for (const Options& one : all)
@@ -188,7 +192,7 @@ void drawArrays(const Options& options)
 
 void drawIntoFile(Options options)
 {
-  if (!options.Arrays.empty())
+  if (!options.Arrays.empty() && !options.ListArrays)
   {
     drawArrays(options);
     return;

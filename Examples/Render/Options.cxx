@@ -132,7 +132,7 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
   app
     .add_option("-a,--array", texts.Arrays,
       "Cell array to draw [density, temperature, or the first that varies]; of several, each has "
-      "files with its name before their ending")
+      "files with its name before their ending, and --range and --opacity hold for all")
     ->type_name("NAME")
     ->allow_extra_args(false)
     ->group(data);
@@ -513,7 +513,8 @@ void dropFromScene(const CLI::App& app, const Options& scene, Options& o)
   {
     o.Colors.clear();
   }
-  const bool otherArray = asked("--array") && o.Array != scene.Array;
+  // Of several arrays none has what is of the scene's alone.
+  const bool otherArray = asked("--array") && (o.Arrays.size() > 1 || o.Array != scene.Array);
   const bool otherValues = otherArray || o.Log != scene.Log || asked("--component");
   if (otherValues)
   {

@@ -151,9 +151,11 @@ void writeWhole(const std::string& path, const char* bytes, std::size_t size)
 // VTK's writer takes files alone: by way of one of its own.
 void writeFloats(const std::string& path, vtkImageData* image)
 {
+  const Destination destination = findDestination(path);
   std::error_code ignored;
-  const std::string temporary =
-    temporaryBeside((fs::temp_directory_path(ignored) / fs::path(path).filename()).string());
+  const fs::path own = destination.Replace ? fs::path(destination.Target)
+                                           : fs::temp_directory_path(ignored) / "picture.tif";
+  const std::string temporary = temporaryBeside(own.string());
   std::string bytes;
   {
     vtkNew<vtkTIFFWriter> writer;
@@ -168,7 +170,7 @@ void writeFloats(const std::string& path, vtkImageData* image)
   throwIfErrors(ExitCode::OutputUnwritable, "'" + path + "' cannot be written");
   if (bytes.empty())
   {
-    refuseOutput(path, "there is no room for it in the folder for temporary files.");
+    refuseOutput(path, "it could not be written to '" + temporary + "' first.");
   }
   writeWhole(path, bytes.data(), bytes.size());
 }

@@ -192,9 +192,8 @@ Json timesJson(const Run& run)
   Json times = { { "read", run.ReadTime }, { "prepare", run.Result.PrepareTime },
     { "structure", data->GetStructureTime() }, { "scalars", data->GetScalarsTime() },
     { "upload", mapper->GetUploadTime() }, { "opacity", mapper->GetOpacityTime() },
-    { "color", mapper->GetColorTime() }, { "shadows", mapper->GetShadowTime() },
-    { "march", mapper->GetMarchTime() }, { "first_frame", run.Result.FirstFrameTime },
-    { "frames", run.Result.FrameTimes } };
+    { "color", mapper->GetColorTime() }, { "march", mapper->GetMarchTime() },
+    { "first_frame", run.Result.FirstFrameTime }, { "frames", run.Result.FrameTimes } };
   times["frame_median"] =
     run.Result.FrameTimes.empty() ? Json(nullptr) : Json(run.Result.MedianFrameTime());
   return times;

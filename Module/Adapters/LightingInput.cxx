@@ -95,6 +95,13 @@ Requests checkLights(vtkRenderer* ren, vtkVolume* vol)
   return requests;
 }
 
+bool isShaded(vtkVolumeProperty* property, const BrickedVolume& bricked)
+{
+  return bricked.volume.components() > 1 && isIndependent(property, bricked)
+    ? isShaded(property, bricked.volume.components())
+    : property->GetShade(bricked.propertyComponent) != 0;
+}
+
 double findScatteringAnisotropy(vtkVolumeProperty* property)
 {
   return scatteringAnisotropyOf(property, 0);
@@ -103,10 +110,7 @@ double findScatteringAnisotropy(vtkVolumeProperty* property)
 std::optional<Lighting> makeLighting(vtkRenderer* ren, vtkVolume* vol, const BrickedVolume& bricked)
 {
   vtkVolumeProperty* property = vol->GetProperty();
-  const bool shaded = bricked.volume.components() > 1 && isIndependent(property, bricked)
-    ? isShaded(property, bricked.volume.components())
-    : property->GetShade(bricked.propertyComponent) != 0;
-  if (!shaded)
+  if (!isShaded(property, bricked))
   {
     return std::nullopt;
   }

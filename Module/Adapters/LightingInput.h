@@ -17,6 +17,9 @@ namespace exabricks
 /// Whether all lights that shine are heeded.
 Requests checkLights(vtkRenderer* ren, vtkVolume* vol);
 
+/// Whether the property asks for shading of anything that is drawn.
+bool isShaded(vtkVolumeProperty* property, const BrickedVolume& bricked);
+
 /// Of the light that the property's medium scatters; 0 with versions of VTK that have none.
 double findScatteringAnisotropy(vtkVolumeProperty* property);
 

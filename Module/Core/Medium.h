@@ -5,6 +5,8 @@
 
 #include "Core/TransferFunction2D.h"
 
+#include <algorithm>
+
 namespace exabricks
 {
 /// As vtkVolumeProperty's independent components, and its dependent ones: two or four of them.
@@ -30,6 +32,14 @@ struct Medium
   glm::dvec4 colorOffset{ 0.0 };
   TransferFunction2D planar; // of Mixing::Planar, in place of functions
 };
+
+/// Whether both let the same light through.
+inline bool areAsOpaque(const Medium& a, const Medium& b)
+{
+  return a.mixing == b.mixing && a.weights == b.weights && a.planar == b.planar &&
+    std::equal(a.functions.begin(), a.functions.end(), b.functions.begin(), b.functions.end(),
+      [](const TransferFunction& x, const TransferFunction& y) { return x.isAsOpaqueAs(y); });
+}
 }
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/TransferFunction.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -74,5 +76,12 @@ bool TransferFunction::visible(const ValueRange& range) const
 bool TransferFunction::showsTheSame(const TransferFunction& other) const
 {
   return this->Transparent == other.Transparent;
+}
+
+bool TransferFunction::isAsOpaqueAs(const TransferFunction& other) const
+{
+  return std::equal(this->Points.begin(), this->Points.end(), other.Points.begin(),
+    other.Points.end(),
+    [](const Point& a, const Point& b) { return a.value == b.value && a.color.a == b.color.a; });
 }
 }

@@ -37,6 +37,8 @@ public:
 
   /// Whether both show the same values, so that the active regions can be kept.
   bool showsTheSame(const TransferFunction& other) const;
+  /// Whether both have the same opacities, at the same points.
+  bool isAsOpaqueAs(const TransferFunction& other) const;
 
 private:
   std::vector<Point> Points;

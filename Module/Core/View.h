@@ -74,6 +74,8 @@ struct Quality
   /// was chosen last for the errorTolerance holds for this view too.
   double stepGrowth = 1.0;
   bool keepsSampling = false;
+  /// While something moves: shadows may be those of the lights of the last view without this.
+  bool lagsShadows = false;
 };
 
 struct View
@@ -154,7 +156,8 @@ inline bool samePicture(const View& a, const View& b)
     a.quality.levelsLeftOut == b.quality.levelsLeftOut &&
     a.quality.terminationOpacity == b.quality.terminationOpacity &&
     a.quality.stepGrowth == b.quality.stepGrowth &&
-    a.quality.keepsSampling == b.quality.keepsSampling && a.cutaway == b.cutaway &&
+    a.quality.keepsSampling == b.quality.keepsSampling &&
+    a.quality.lagsShadows == b.quality.lagsShadows && a.cutaway == b.cutaway &&
     a.opacityUnitDistance == b.opacityUnitDistance && a.blending == b.blending &&
     a.averageRanges == b.averageRanges && a.isoValues == b.isoValues &&
     a.slicePlane == b.slicePlane && a.undefinedColor == b.undefinedColor &&

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace exabricks
@@ -21,22 +22,24 @@ constexpr double GreatestGrowth = 4.0; // of one piece to the next
 // and 0.3 dB at most off pictures of 51 to 64 dB.
 constexpr double StepsOfPicture = 2.0;
 
-const char* const Contents = "the shadows of the lights";
+Purpose contents()
+{
+  Purpose purpose("the shadows of the lights");
+  purpose.advice = "Set GlobalIlluminationReach to 0, use fewer lights or levels, or a device with "
+                   "more memory";
+  purpose.concernsPicture = true; // all the rest can be drawn without
+  return purpose;
+}
 
-// But for rounding, as each view has found it anew.
+// But for rounding, as each view has found them anew.
+bool isAlmost(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return glm::distance(a, b) <= 1e-9 * std::max(glm::length(a), glm::length(b));
+}
+
 bool isAlmost(const glm::dmat3& a, const glm::dmat3& b)
 {
-  double largest = 0.0;
-  double difference = 0.0;
-  for (int column = 0; column < 3; ++column)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      largest = std::max(largest, std::abs(a[column][row]));
-      difference = std::max(difference, std::abs(a[column][row] - b[column][row]));
-    }
-  }
-  return difference <= 1e-9 * largest;
+  return isAlmost(a[0], b[0]) && isAlmost(a[1], b[1]) && isAlmost(a[2], b[2]);
 }
 }
 
@@ -63,8 +66,21 @@ bool ShadowCause::isOfSameMedium(const ShadowCause& other) const
     this->UndefinedColor == other.UndefinedColor && this->Lights.size() == other.Lights.size();
 }
 
+bool ShadowCause::operator==(const ShadowCause& other) const
+{
+  const auto isSame = [](const Light& a, const Light& b)
+  {
+    return a.positional == b.positional &&
+      (a.positional ? isAlmost(a.position, b.position) : isAlmost(a.direction, b.direction));
+  };
+  return this->isOfSameMedium(other) && isAlmost(this->DataToWorld, other.DataToWorld) &&
+    std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);
+}
+
 View ShadowCause::steady(View view) const
 {
+  view.lighting->lights = this->Lights;
+  view.lighting->dataToWorld = this->DataToWorld;
   view.quality.stepScale = this->StepScale;
   view.quality.sampleDistance = this->SampleDistance;
   view.quality.jittered = false;
@@ -82,10 +98,11 @@ CellShadows::CellShadows(std::shared_ptr<Device> device, const DeviceVolume& onD
   std::vector<vk::DeviceAddress> addresses;
   for (std::size_t light = 0; light < this->Lights; light += volume.components())
   {
-    const std::vector<vk::DeviceAddress> more = onDevice.makeAlike(volume, Contents, this->Shares);
+    const std::vector<vk::DeviceAddress> more =
+      onDevice.makeAlike(volume, contents(), this->Shares);
     addresses.insert(addresses.end(), more.begin(), more.end());
   }
-  this->Addresses = makeBuffer(this->Owner, addresses, Contents);
+  this->Addresses = makeBuffer(this->Owner, addresses, contents());
   this->Constants.reserve(this->Owner, sizeof(layout::Frame), "the frame's constants");
   this->MakeList(volume, active);
 }
@@ -130,11 +147,12 @@ void CellShadows::MakeList(const Volume& volume, const ActiveRegions& active)
   }
   if (cells > std::numeric_limits<std::uint32_t>::max())
   {
-    throw Failure("expected at most 4 294 967 295 cells that show anything to find shadows in, "
-                  "found " +
+    throw PictureFailure(
+      "expected at most 4 294 967 295 cells that show anything to find shadows in, "
+      "found " +
       std::to_string(cells) + ". Use fewer levels, or set GlobalIlluminationReach to 0");
   }
-  this->List = makeBuffer(this->Owner, list, Contents);
+  this->List = makeBuffer(this->Owner, list, contents());
   this->ListedBricks = static_cast<std::uint32_t>(list.size());
   this->Cells = static_cast<std::uint32_t>(cells);
 }
@@ -143,6 +161,10 @@ bool CellShadows::find(const ShadowCause& cause, const layout::Frame& frame, con
   const std::function<bool()>& goOn)
 {
   this->Found.reset();
+  if (this->Filled && !this->Filled->isOfSameMedium(cause))
+  {
+    this->Filled.reset();
+  }
   std::memcpy(this->Constants.data(), &frame, sizeof(frame));
   for (std::uint32_t light = 0; light < this->Lights; ++light)
   {
@@ -180,7 +202,7 @@ bool CellShadows::find(const ShadowCause& cause, const layout::Frame& frame, con
       }
     }
   }
-  this->Found = cause;
+  this->Found = this->Filled = cause;
   return true;
 }
 

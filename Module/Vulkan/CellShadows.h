@@ -23,15 +23,13 @@ public:
   /// Of a view whose lighting has scattering.
   explicit ShadowCause(const View& view);
 
-  bool operator==(const ShadowCause& other) const
-  {
-    return this->isOfSameMedium(other) && this->Lights == other.Lights &&
-      this->DataToWorld == other.DataToWorld;
-  }
+  /// Whether light comes the same ways through the same, but for rounding; how bright it is does
+  /// not matter.
+  bool operator==(const ShadowCause& other) const;
   /// Whether all but the lights is the same, as many as they are.
   bool isOfSameMedium(const ShadowCause& other) const;
 
-  /// The view with the steps that they are found with.
+  /// The view with these lights, and the steps that shadows are found with.
   View steady(View view) const;
 
 private:
@@ -50,14 +48,18 @@ private:
 class CellShadows
 {
 public:
-  /// Makes room for those of so many lights in the bricks of the active regions. Throws Failure.
+  /// Makes room for those of so many lights in the bricks of the active regions. Throws
+  /// PictureFailure.
   CellShadows(std::shared_ptr<Device> device, const DeviceVolume& onDevice, const Volume& volume,
     const ActiveRegions& active, std::size_t lights);
 
-  /// Whether they need not be found anew; while something moves, they may lag behind the lights.
-  bool serve(const ShadowCause& cause, bool moving) const
+  std::size_t lights() const { return this->Lights; }
+  /// Whether they need not be found anew. `lags`: those that a search has left that was given up do
+  /// too.
+  bool serve(const ShadowCause& cause, bool lags) const
   {
-    return this->Found && (*this->Found == cause || (moving && this->Found->isOfSameMedium(cause)));
+    return this->Found ? *this->Found == cause
+                       : lags && this->Filled && this->Filled->isOfSameMedium(cause);
   }
 
   /// Finds them, some cells after others. `frame`: of a view with these lights, after fill().
@@ -82,7 +84,8 @@ private:
   std::uint32_t ListedBricks = 0;
   std::uint32_t Cells = 0; // of those
   double CellsPerSecond = 5e5;
-  std::optional<ShadowCause> Found;
+  std::optional<ShadowCause> Found;  // what all of them are of
+  std::optional<ShadowCause> Filled; // each is of it, or of other lights in the same medium
 };
 }
 }

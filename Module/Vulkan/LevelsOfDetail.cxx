@@ -26,6 +26,7 @@ Volume coarsenValues(const Volume& finer, const std::shared_ptr<const Structure>
 
 void LevelsOfDetail::setVolume(const Volume& volume)
 {
+  this->ForgetDropped();
   if (!volume)
   {
     this->DropFrom(0);
@@ -118,7 +119,7 @@ ActiveRegions LevelsOfDetail::select(const Volume& volume, const Selection& sele
                        : selectActiveRegions(volume, shown, selection.weights, selection.form);
 }
 
-void LevelsOfDetail::invalidateShadows()
+void LevelsOfDetail::dropShadows()
 {
   for (Level& level : this->Levels)
   {
@@ -129,6 +130,7 @@ void LevelsOfDetail::invalidateShadows()
 void LevelsOfDetail::Update(
   Level& level, const std::shared_ptr<Device>& device, const Selection& selection)
 {
+  this->ForgetDropped();
   const bool finest = &level == &this->Levels.front();
   if (!level.onDevice || !level.valuesOnDevice)
   {
@@ -217,10 +219,7 @@ void LevelsOfDetail::makeAhead(int levelsLeftOut)
 {
   const auto count = static_cast<std::size_t>(levelsLeftOut);
   const bool noneLeft = this->CoarsestMade && count >= this->Levels.size();
-  const auto isDone = [](const std::future<std::vector<OnHost>>& made)
-  { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
-  this->Dropped.erase(
-    std::remove_if(this->Dropped.begin(), this->Dropped.end(), isDone), this->Dropped.end());
+  this->ForgetDropped();
   // One thread at a time.
   const bool isBusy = this->MadeAhead.valid() || !this->Dropped.empty();
   if (isBusy || this->empty() || noneLeft || levelsLeftOut <= this->ready())
@@ -266,6 +265,15 @@ void LevelsOfDetail::DropAhead()
     *this->GivenUp = true;
     this->Dropped.push_back(std::move(this->MadeAhead));
   }
+}
+
+// Frees what came to its end of no use.
+void LevelsOfDetail::ForgetDropped()
+{
+  const auto isDone = [](const std::future<std::vector<OnHost>>& made)
+  { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
+  this->Dropped.erase(
+    std::remove_if(this->Dropped.begin(), this->Dropped.end(), isDone), this->Dropped.end());
 }
 
 int LevelsOfDetail::ready()

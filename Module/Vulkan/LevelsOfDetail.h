@@ -61,7 +61,7 @@ public:
 
   static ActiveRegions select(const Volume& volume, const Selection& selection);
   /// Other colours or opacities cast other shadows.
-  void invalidateShadows();
+  void dropShadows();
 
   /// The active regions have to be selected anew.
   void invalidateSelection();
@@ -94,6 +94,7 @@ private:
   void Adopt(const std::vector<OnHost>& made, std::size_t count);
   void TakeAhead();
   void DropAhead();
+  void ForgetDropped();
 
   std::vector<Level> Levels;                  // the whole volume, and then one level less each
   bool CoarsestMade = false;                  // there are no more levels to leave out

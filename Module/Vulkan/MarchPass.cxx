@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <limits>
 
 namespace exabricks
 {
@@ -63,8 +62,9 @@ Depths findDepths(const glm::dmat4& ndcToHalfCells, const glm::dvec3& size)
 // Shadows reach so many times the bounds' size, by a number in [0, 1], as of VTK's GPU mapper.
 float findShadowReach(double reach)
 {
-  return reach < 1.0 ? static_cast<float>(std::sqrt(3.0) * (1.0 - std::pow(1.0 - reach, 0.33)))
-                     : std::numeric_limits<float>::max();
+  constexpr double beyondAll = 4.0; // the diagonal is less than twice as long as each side
+  return static_cast<float>(
+    reach < 1.0 ? std::sqrt(3.0) * (1.0 - std::pow(1.0 - reach, 0.33)) : beyondAll);
 }
 
 // `toWorld`: linear, from half cells. `corner`: where the lower corner of the data's bounds is in
@@ -117,7 +117,9 @@ void fillLighting(layout::Frame& frame, const Lighting& lighting, const glm::dma
   if (lighting.scattering)
   {
     frame.scatteringBlending = static_cast<float>(lighting.scattering->blending);
-    frame.scatteringAnisotropy = static_cast<float>(lighting.scattering->anisotropy);
+    // Of 1 all light would go on in one direction, which no eye is in.
+    frame.scatteringAnisotropy =
+      static_cast<float>(std::clamp(lighting.scattering->anisotropy, -0.99, 0.99));
     frame.shadowReach = findShadowReach(lighting.scattering->reach);
   }
 }

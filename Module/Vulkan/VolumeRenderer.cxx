@@ -10,6 +10,7 @@
 #include "Vulkan/SamplingChoice.h"
 #include "Vulkan/TransferBuffers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace exabricks
@@ -41,9 +42,10 @@ struct VolumeRenderer::Internals
   std::unique_ptr<vulkan::PictureJob> Job;
   std::unique_ptr<vulkan::SamplingChoice> Choice;
 
-  std::optional<StepWeights> Weights; // of steps, where an error is asked for
-  bool SceneFailed = false;           // the volume is too much for an acceleration structure
-  View LostView;                      // in which the device was lost twice
+  std::optional<vulkan::ShadowCause> SteadyShadows; // of the last view that stood still
+  std::optional<StepWeights> Weights;               // of steps, where an error is asked for
+  bool SceneFailed = false; // the volume is too much for an acceleration structure
+  View LostView;            // in which the device was lost twice
   Statistics Measured;
 
   vulkan::Selection MakeSelection() const
@@ -118,7 +120,6 @@ struct VolumeRenderer::Internals
       const Stopwatch watch;
       this->Colors.emplace(this->Session.device(), this->Appearance.makeTables(),
         this->GradientOpacity, this->Appearance.medium().planar);
-      this->Levels.invalidateShadows();
       this->Measured.colorTime = watch.seconds();
     }
   }
@@ -359,13 +360,28 @@ struct VolumeRenderer::Internals
   bool UpdateShadows(
     vulkan::LevelsOfDetail::Level& level, const View& view, const Progress& progress)
   {
-    if (!scattersIn(view) || !(view.lighting->scattering->reach > 0.0) ||
-      view.lighting->lights.empty() || level.onDevice->activeBoxes() == 0)
+    if (!view.lighting || level.onDevice->activeBoxes() == 0)
     {
       return true;
     }
-    const vulkan::ShadowCause cause(view);
-    if (level.shadows && level.shadows->serve(cause, view.quality.keepsSampling))
+    if (!scattersIn(view) || !(view.lighting->scattering->reach > 0.0) ||
+      view.lighting->lights.empty())
+    {
+      this->Levels.dropShadows();
+      return true;
+    }
+    vulkan::ShadowCause cause(view);
+    const bool lags =
+      view.quality.lagsShadows && this->SteadyShadows && this->SteadyShadows->isOfSameMedium(cause);
+    if (lags)
+    {
+      cause = *this->SteadyShadows;
+    }
+    else
+    {
+      this->SteadyShadows = cause;
+    }
+    if (level.shadows && level.shadows->serve(cause, lags))
     {
       return true;
     }
@@ -373,10 +389,14 @@ struct VolumeRenderer::Internals
     const View steady = cause.steady(view);
     vulkan::Selection selection = this->MakeSelection();
     selection.form = { false, Extreme::None, this->UndefinedShown };
-    level.shadows.reset(); // of as many lights as there were
-    level.shadows =
-      std::make_unique<vulkan::CellShadows>(this->Session.device(), *level.onDevice, level.volume,
-        vulkan::LevelsOfDetail::select(level.volume, selection), view.lighting->lights.size());
+    const std::size_t lights =
+      std::min<std::size_t>(view.lighting->lights.size(), layout::MOST_LIGHTS);
+    if (!level.shadows || level.shadows->lights() != lights)
+    {
+      level.shadows.reset(); // before there is another one
+      level.shadows = std::make_unique<vulkan::CellShadows>(this->Session.device(), *level.onDevice,
+        level.volume, vulkan::LevelsOfDetail::select(level.volume, selection), lights);
+    }
     vulkan::MarchVariant variant = this->FindVariant(steady, /*beginsAtDepth=*/false);
     variant.ofCells = true;
     variant.shaded = variant.scattering = variant.normalsOfOpacity = variant.jittered = false;
@@ -514,6 +534,11 @@ void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
   this->Data->Session.forget();
   this->Data->Colors.reset();
   this->Data->ForgetChoice();
+  if (this->Data->Appearance.isMixed() ||
+    !transfer.isAsOpaqueAs(this->Data->Appearance.transferFunction()))
+  {
+    this->Data->Levels.dropShadows();
+  }
   this->Data->Appearance.setTransferFunction(transfer);
   this->Data->UpdateVisibility();
   if (this->Data->Weights)
@@ -527,6 +552,10 @@ void VolumeRenderer::setMedium(const Medium& medium)
   this->Data->Session.forget();
   this->Data->Colors.reset();
   this->Data->ForgetChoice();
+  if (!this->Data->Appearance.isMixed() || !areAsOpaque(medium, this->Data->Appearance.medium()))
+  {
+    this->Data->Levels.dropShadows();
+  }
   this->Data->Appearance.setMedium(medium);
   this->Data->UpdateVisibility();
 }
@@ -539,6 +568,7 @@ void VolumeRenderer::setGradientOpacity(const std::vector<float>& table)
     this->Data->Colors.reset();
     this->Data->ForgetChoice();
     this->Data->GradientOpacity = table;
+    this->Data->Levels.dropShadows();
   }
 }
 

@@ -38,7 +38,8 @@ public:
   /// structure costs an upload of its values, and a new selection of the active regions.
   void setVolume(const Volume& volume);
   /// Costs an upload of colours; and when it shows other values than before, or pictures are drawn
-  /// with an error tolerance, a new selection of the active regions.
+  /// with an error tolerance, a new selection of the active regions. Other opacities cast other
+  /// shadows.
   void setTransferFunction(const TransferFunction& transfer);
 
   /// The same for a volume of several components, for which it takes the place of

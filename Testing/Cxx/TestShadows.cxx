@@ -115,7 +115,7 @@ int TestShadows(int, char*[])
   property->SetScatteringAnisotropy(0.0);
 #endif
 
-  // A tolerance chooses steps without shadows, and draws with them.
+  // A tolerance chooses steps with shadows too.
   mapper->SetErrorTolerance(0.002);
   shows([&](double) { return 0.5 * there / Opacity; }, "with a tolerance");
   mapper->SetErrorTolerance(0.0);

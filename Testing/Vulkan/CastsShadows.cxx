@@ -122,6 +122,7 @@ TEST(CastsShadows, OfLampsThatSurfacesReflectToo)
     const double quality = test.compare(truth);
     test.settings.lighting->scattering->reach = 1.0;
     const double farther = reference::psnrOfDrawn(test.truth(), truth);
+    test.settings.lighting->scattering->reach = 0.3;
     test.settings.lighting->scattering->anisotropy = 0.0;
     const double isotropic = reference::psnrOfDrawn(test.truth(), truth);
     std::cout << "blending " << blending << ": " << quality << " dB; beside shadows of any length "
@@ -168,7 +169,9 @@ TEST(CastsShadows, OfCompletedLevelsAndOfNearestCells)
     {
       test.subject.reconstruction = Reconstruction::Nearest;
     }
+    const std::size_t searches = test.subject.renderer.statistics().shadowSearches;
     const reference::Image other = test.draw();
+    EXPECT_EQ(test.subject.renderer.statistics().shadowSearches, searches + 1);
     test.settings.lighting->scattering->reach = 0.0;
     const double unshadowed = reference::psnrOfDrawn(test.draw(), other);
     const double same = reference::psnrOfDrawn(basis, other);
@@ -188,7 +191,7 @@ TEST(CastsShadows, AsOftenAsLightsOrOpacitiesChange)
   const auto draw = [&](const reference::View& from, bool moving)
   {
     View view = test.subject.toView(from);
-    view.quality.keepsSampling = moving;
+    view.quality.keepsSampling = view.quality.lagsShadows = moving;
     std::vector<glm::vec4> picture;
     EXPECT_EQ(test.subject.renderer.render(view, picture), "");
     return picture;
@@ -203,13 +206,23 @@ TEST(CastsShadows, AsOftenAsLightsOrOpacitiesChange)
   EXPECT_EQ(searches(), 1u) << "another light, while something moves";
   EXPECT_NE(draw(test.view, false), first);
   EXPECT_EQ(searches(), 2u) << "another light";
+  test.subject.lighting->lights[0].diffuse = { 0.1, 0.2, 0.3 };
+  test.subject.setTransfer(TransferFunction({ { 0.0, { 0.0, 1.0, 0.0, 0.05 } },
+    { 0.5, { 0.0, 0.8, 0.0, 0.3 } }, { 1.0, { 0.0, 0.1, 0.0, 0.8 } } }));
+  draw(test.view, false);
+  EXPECT_EQ(searches(), 2u) << "other colors of the light and of the volume";
+  test.subject.opacityUnitDistance = 2.0;
+  draw(test.view, false);
+  EXPECT_EQ(searches(), 3u) << "another unit distance";
+  test.subject.opacityUnitDistance = 3.0;
+  draw(test.view, false);
   test.subject.setTransfer(
     TransferFunction({ { 0.0, { 1.0, 1.0, 1.0, 0.3 } }, { 1.0, { 1.0, 1.0, 1.0, 0.6 } } }));
   draw(test.view, false);
-  EXPECT_EQ(searches(), 3u) << "other opacities";
+  EXPECT_EQ(searches(), 5u) << "other opacities";
   test.subject.lighting->lights.push_back(test.subject.lighting->lights[0]);
   draw(test.view, false);
-  EXPECT_EQ(searches(), 4u) << "one light more";
+  EXPECT_EQ(searches(), 6u) << "one light more";
   test.subject.setTransfer(fog());
   test.subject.lighting = test.settings.lighting;
   EXPECT_EQ(draw(test.view, false), first) << "whatever was drawn before";
@@ -222,11 +235,15 @@ TEST(CastsShadows, OrIsGivenUp)
   test.settings.lighting = lightFrom({ 0.7, 0.5, 0.2 }, { 2.0, 0.0, 1.0 });
   const reference::Image whole = test.draw();
   test.subject.setTransfer(fog());
-  test.subject.lighting->scattering->reach = 0.9;
+  test.subject.lighting->scattering->reach = 0.4;
   std::vector<glm::vec4> picture(1);
   EXPECT_EQ(test.subject.renderer.render(
               test.subject.toView(test.view), picture, [](double) { return false; }),
     "");
   EXPECT_TRUE(picture.empty());
+  const std::size_t searches = test.subject.renderer.statistics().shadowSearches;
+  const reference::Image other = test.subject.render(test.view); // what was given up
+  EXPECT_EQ(test.subject.renderer.statistics().shadowSearches, searches + 1);
   EXPECT_EQ(test.draw().pixels, whole.pixels);
+  EXPECT_NE(other.pixels, whole.pixels);
 }

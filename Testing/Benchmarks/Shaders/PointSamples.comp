@@ -51,7 +51,7 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     const float at = cursor.entry;
 #endif
     addConstant(sampleField(cursor.brick, cursor.others, ray, at),
-      (end - cursor.entry) * ray.unitsPerHalfCell, spotAt(ray, cursor.brick, cursor.others, at, 0.0, vec3(0.0)), gathered);
+      (end - cursor.entry) * ray.unitsPerHalfCell, spotAt(ray, cursor.brick, cursor.others, at, vec2(0.0), vec3(0.0)), gathered);
   }
   cursor.entry = end;
   cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
