@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExaBricksBuilder.h"
 
-#include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRCellSource.h"
+#include "Adapters/AMRCompatibility.h"
 #include "Adapters/AMRPart.h"
 #include "Adapters/BrickedVolume.h"
 #include "Adapters/UnfinishedRun.h"
@@ -64,7 +64,8 @@ std::string describeMissingArray(vtkInformation* request, vtkDataSet* block, int
   return (name ? std::string("expected a ") + (points ? "point" : "cell") + " array '" + name + "'"
                : std::string("expected active scalars")) +
     " in every block, found " + listArrays(block) + " in one of level " + std::to_string(amrLevel) +
-    ". Let the reader read it (readers may enable none), and choose it by name (of the mapper: "
+    ". Let the reader read it (readers may enable none: SetCellArrayStatus(), after "
+    "UpdateInformation()), and choose it by name (of the mapper: "
     "SetScalarModeToUseCellFieldData() and SelectScalarArray())";
 }
 

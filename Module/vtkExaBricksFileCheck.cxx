@@ -38,6 +38,11 @@ bool vtkExaBricksFileCheck::CanCheck(const std::string& path) { return findCheck
 
 std::string vtkExaBricksFileCheck::FindFault(const std::string& path)
 {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+  {
+    return "there is no file or folder '" + path + "'";
+  }
   const FindFaultFunction check = findCheck(path);
   return check ? check(path) : std::string();
 }

@@ -20,10 +20,25 @@ namespace fs = std::filesystem;
   throw Failure(ExitCode::InputUnreadable, message);
 }
 
+// Of a folder that is no plotfile: what it may hold in its place.
+std::string adviseFor(const std::string& folder)
+{
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".hierarchy" || ending == ".vthb" || ending == ".vth")
+    {
+      return " Did you mean '" + entry.path().string() + "'?";
+    }
+  }
+  return " Give the folder of an AMReX plotfile, such as plt00216.";
+}
+
 // An AMReX plotfile is a folder; its file Header begins with a line such as HyperCLaw-V1.1.
 void checkPlotfile(const std::string& folder)
 {
-  const std::string advice = " Give the folder of an AMReX plotfile, such as plt00216.";
+  const std::string advice = adviseFor(folder);
   std::ifstream header(fs::path(folder) / "Header");
   if (!header)
   {

@@ -410,7 +410,8 @@ void checkTogether(
           : "The output has to end in .png, .jpg, .jpeg or .tif, or of several pictures in .mp4, "
             ".mkv "
             "or .webm, found '" +
-            o.Output + "'.");
+            o.Output + "'." +
+            (o.Array.empty() ? "" : " Of several arrays, each has an --array before it."));
     }
     if (holdsFloats(o.Output) && (o.Annotate || backgroundGiven))
     {

@@ -75,6 +75,8 @@ struct Options
   std::vector<Plane> ClippingPlanes;
   std::optional<std::array<double, 6>> Cropping; // lower and upper planes of x, y, z
   bool Shaded = false;
+  double Scattering = 0.0;  // of scenes: the mapper's VolumetricScatteringBlending
+  double ShadowReach = 0.0; // and its GlobalIlluminationReach
 
   std::string Reconstruction = "basis";
   std::string Traversal = "automatic";

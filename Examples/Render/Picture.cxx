@@ -132,6 +132,8 @@ void Picture::SetUpMapper(const std::string& array, int components)
     mapper->SetStepScale(this->Asked.StepScale);
   }
   mapper->SetErrorTolerance(this->Asked.ErrorTolerance);
+  mapper->SetVolumetricScatteringBlending(static_cast<float>(this->Asked.Scattering));
+  mapper->SetGlobalIlluminationReach(static_cast<float>(this->Asked.ShadowReach));
   if (!this->Asked.Device.empty())
   {
     mapper->SetDevice(this->Asked.Device.c_str());

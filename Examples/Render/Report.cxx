@@ -171,7 +171,8 @@ Json viewJson(const Run& run)
   }
   Json view = { { "blend_mode", run.Asked.BlendMode }, { "iso_values", values },
     { "levels", { mapper->GetLevelRange()[0], mapper->GetLevelRange()[1] } },
-    { "clipping_planes", planes }, { "cropping", nullptr }, { "shaded", run.Asked.Shaded } };
+    { "clipping_planes", planes }, { "cropping", nullptr }, { "shaded", run.Asked.Shaded },
+    { "scattering", run.Asked.Scattering }, { "shadow_reach", run.Asked.ShadowReach } };
   view["slice"] = nullptr;
   if (run.Asked.Slice)
   {

@@ -112,6 +112,8 @@ void readView(const Json& view, Options& o)
     o.Cropping = view.at("cropping").get<std::array<double, 6>>();
   }
   o.Shaded = view.at("shaded");
+  o.Scattering = view.value("scattering", 0.0);
+  o.ShadowReach = view.value("shadow_reach", 0.0);
 }
 
 // What options are checked for as they are read.

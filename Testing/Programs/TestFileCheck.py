@@ -163,4 +163,5 @@ with tempfile.TemporaryDirectory() as name:
 
     assert not vtkExaBricksFileCheck.CanCheck(name)
     assert not vtkExaBricksFileCheck.CanCheck(name + "/nothing.vthb")
+    assert "no file or folder" in vtkExaBricksFileCheck.FindFault(name + "/nothing.vthb")
     assert vtkExaBricksFileCheck.FindFault(name) == ""  # of other kinds of files nothing is known

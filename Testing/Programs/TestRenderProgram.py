@@ -161,7 +161,7 @@ class RenderProgramTest(unittest.TestCase):
         self.refused(INPUT_UNREADABLE, ["no_such.vthb"], "no_such.vthb", self.png)
 
     def test_folder_that_is_no_plotfile(self):
-        self.refused(INPUT_UNREADABLE, ["Header"], os.path.dirname(DATA), self.png)
+        self.refused(INPUT_UNREADABLE, ["Header", "Did you mean", "rt_medium.vthb"], os.path.dirname(DATA), self.png)
 
     def test_file_of_unknown_kind(self):
         self.refused(INPUT_UNREADABLE, [".vthb", ".hierarchy"], __file__, self.png)

@@ -95,6 +95,18 @@ class RenderResultsTest(unittest.TestCase):
             self.assertIn("alone", said)
         self.assertEqual(self.files(), [])
 
+    # Scenes
+
+    def test_scene_keeps_shadows(self):
+        self.draw(self.path("a.png"), "--shade", "--stats", self.path("s.json"))
+        with open(self.path("s.json"), encoding="utf-8") as file:
+            scene = json.load(file)
+        scene["view"].update(scattering=2.0, shadow_reach=1.0)
+        with open(self.path("s.json"), "w", encoding="utf-8") as file:
+            json.dump(scene, file)
+        self.draw(self.path("b.png"), "--scene", self.path("s.json"))
+        self.assertGreater(abs(pixels(self.path("a.png")).astype(int) - pixels(self.path("b.png"))).max(), 30)
+
     # Several arrays
 
     def test_each_array_has_its_own_files(self):

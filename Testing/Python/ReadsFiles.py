@@ -113,6 +113,7 @@ with tempfile.TemporaryDirectory() as folder:
     refuses("no_such.vthb", "no_such.vthb", function=exabricks.list_arrays)
     refuses(__file__, ".vthb", ".hierarchy", ".vtkhdf", "plotfile")
     refuses(folder, "Header", "such as plt00216")
+    refuses(os.path.dirname(rings), "Header", "Did you mean", "rt_medium.vthb")
     refuses(rings, "levels=0", "at least 1", levels=0)
     refuses(rings, "'magwort'", "did you mean 'magvort'?", "density, magvort", arrays=["density", "magwort"])
     refuses(rings, "'MAGVORT'", "did you mean 'magvort'?", arrays="MAGVORT")

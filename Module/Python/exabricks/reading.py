@@ -238,6 +238,10 @@ def _class(module: str, name: str, what: str) -> Any:
 def _check_plotfile(folder: str) -> None:
     """An AMReX plotfile is a folder; its file Header begins with a line such as HyperCLaw-V1.1."""
     advice = "Give the folder of an AMReX plotfile, such as plt00216."
+    names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+    other = [name for name in names if name.endswith((".hierarchy", ".vthb", ".vth"))]
+    if other:
+        advice = f"Did you mean '{os.path.join(folder, other[0])}'?"
     try:
         with open(os.path.join(folder, "Header"), encoding="utf-8", errors="replace") as header:
             version = header.readline(1000)

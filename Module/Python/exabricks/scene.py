@@ -312,7 +312,7 @@ class VolumeScene:
         """What is set, as what exabricks-render --stats writes of it. Lengths are those of the data.
 
         Of the mapper: reconstruction, steps, error tolerance, blend mode, levels, clipping planes, and cropping planes; of
-        the property: colors, opacities, their unit distance, iso-values, the plane of a slice, and whether it is shaded.
+        the property: colors, opacities, their unit distance, iso-values, the plane of a slice, and whether it is shaded, scatters light and casts shadows; lights are none of it.
         Their other settings are not kept.
         """
         camera = self.camera
@@ -345,7 +345,9 @@ class VolumeScene:
                 "clipping_planes": [{"origin": list(plane.GetOrigin()), "normal": list(plane.GetNormal())}
                                     for plane in planes],
                 "cropping": list(self.mapper.GetCroppingRegionPlanes()) if self.mapper.GetCropping() else None,
-                "shaded": bool(self.volume_property.GetShade())},
+                "shaded": bool(self.volume_property.GetShade()),
+                "scattering": self.mapper.GetVolumetricScatteringBlending(),
+                "shadow_reach": self.mapper.GetGlobalIlluminationReach()},
         }
 
     def _colors(self):
@@ -456,6 +458,8 @@ class VolumeScene:
         if view.get("cropping"):
             self.mapper.SetCroppingRegionPlanes(*view["cropping"])
         self.volume_property.SetShade(bool(view.get("shaded")))
+        self.mapper.SetVolumetricScatteringBlending(view.get("scattering", 0.0))
+        self.mapper.SetGlobalIlluminationReach(view.get("shadow_reach", 0.0))
         self.renderer.ResetCameraClippingRange()
 
     def _apply_look(self, look):
