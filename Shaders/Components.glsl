@@ -25,22 +25,11 @@ vec4 sampleComponents(Cursor cursor, Ray ray, float distance, out mat4x3 gradien
     {
       if (hasGradient(k))
       {
-        if (isCompleted)
-        {
-          addCompletedJet(brick, q, k, sums[k], weights[k]);
-        }
-        else
-        {
-          addBasisJet(brick, q, k, sums[k], weights[k]);
-        }
-      }
-      else if (isCompleted)
-      {
-        addCompleted(brick, q, k, sums[k].w, weights[k].w);
+        addReconstructedJet(brick, q, k, sums[k], weights[k]);
       }
       else
       {
-        addBasis(brick, q, k, sums[k].w, weights[k].w);
+        addReconstructed(brick, q, k, sums[k].w, weights[k].w);
       }
     }
     if (others == 0u)

@@ -2,6 +2,19 @@
 // The field where it is continuous, at a point from a list of bricks: the reconstructions add their
 // weighted values up brick by brick.
 
+// Adds a brick's values at `q`, in cells from its lower corner, by the reconstruction.
+void addReconstructed(Brick brick, vec3 q, uint component, inout float sum, inout float weight)
+{
+  if (isCompleted)
+  {
+    addCompleted(brick, q, component, sum, weight);
+  }
+  else
+  {
+    addBasis(brick, q, component, sum, weight);
+  }
+}
+
 // The ray's point at `distance` has to lie in a cell that is there: then its own tent alone weighs 1/8
 // at least. `others`: place of the rest of the list, 0: there is none.
 float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint component)
@@ -14,15 +27,7 @@ float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint co
   float weight = 0.0;
   while (true)
   {
-    const vec3 q = toCells(brick, ray, distance);
-    if (isCompleted)
-    {
-      addCompleted(brick, q, component, sum, weight);
-    }
-    else
-    {
-      addBasis(brick, q, component, sum, weight);
-    }
+    addReconstructed(brick, toCells(brick, ray, distance), component, sum, weight);
     if (others == 0u)
     {
       break;

@@ -120,6 +120,19 @@ void addCompletedJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout 
   weight += w * toHalfCells;
 }
 
+// As addReconstructed() (Field.glsl).
+void addReconstructedJet(Brick brick, vec3 q, uint component, inout vec4 sum, inout vec4 weight)
+{
+  if (isCompleted)
+  {
+    addCompletedJet(brick, q, component, sum, weight);
+  }
+  else
+  {
+    addBasisJet(brick, q, component, sum, weight);
+  }
+}
+
 // As sampleComponent() (Field.glsl): the field at the ray's point, and its gradient by half cells.
 // Where cells have one value each, the gradient is that of the basis.
 vec4 sampleComponentJet(Brick brick, uint others, Ray ray, float distance, uint component)
@@ -128,15 +141,7 @@ vec4 sampleComponentJet(Brick brick, uint others, Ray ray, float distance, uint 
   vec4 weight = vec4(0.0);
   while (true)
   {
-    const vec3 q = toCells(brick, ray, distance);
-    if (isCompleted)
-    {
-      addCompletedJet(brick, q, component, sum, weight);
-    }
-    else
-    {
-      addBasisJet(brick, q, component, sum, weight);
-    }
+    addReconstructedJet(brick, toCells(brick, ray, distance), component, sum, weight);
     if (others == 0u)
     {
       break;

@@ -52,7 +52,8 @@ void marchComponentsOfCell(Ray ray, inout Cursor cursor, inout Accumulator gathe
       values.y = mapsGradient ? sampled.y : values.y;
     }
     addComponents(Piece(values, values, (end - cursor.entry) * ray.unitsPerHalfCell, gradients,
-                    spotAt(ray, cursor.brick, cursor.others, middle, vec2(0.0), vec3(0.0))), gathered);
+                    spotAt(ray, cursor.brick, cursor.others, middle, vec2(0.0), vec3(0.0))),
+      gathered);
   }
   endCell(end, cursor);
 }
@@ -101,7 +102,8 @@ void marchComponentsOfInterval(Ray ray, inout Cursor cursor, inout Accumulator g
                           isPart ? mix(from, next, part.y) : next,
                           isPart ? (part.y - part.x) * units : units,
                           0.5 * (cursor.gradients + nextGradients),
-                          spotAt(ray, cursor.brick, cursor.others, at, vec2(0.0), vec3(0.0))), gathered);
+                          spotAt(ray, cursor.brick, cursor.others, at, vec2(0.0), vec3(0.0))),
+            gathered);
         }
       }
       cursor.values = next;
@@ -129,7 +131,8 @@ void marchComponentsOfSlice(Ray ray, inout Cursor cursor, inout Accumulator gath
       values = !isNearest ? sampled : mapsGradient ? vec4(values.x, sampled.yzw) : values;
     }
     gathered.color = colorOfComponents(
-      Piece(values, values, 0.0, gradients, spotAt(ray, cursor.brick, cursor.others, cursor.entry, vec2(0.0), vec3(0.0))));
+      Piece(values, values, 0.0, gradients,
+        spotAt(ray, cursor.brick, cursor.others, cursor.entry, vec2(0.0), vec3(0.0))));
     gathered.value = 0.0; // it is complete
   }
   cursor.entry = cursor.exit;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One invocation: the ray of one pixel, from its set-up to the picture.
 
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "Invocation.glsl"
 
 vec4 marchPixel(FrameBuffer f, uvec2 pixel)
 {
@@ -21,10 +21,7 @@ uvec2 findPixel(uint width)
   const uint spacing = max(push.band.spacing, 1u);
   const uint gridWidth = (width + spacing - 1u) / spacing;
   const uint columns = (gridWidth + 7u) / 8u; // of tiles
-  const uint i = takesPixels
-    ? atomicAdd(Counter(push.band.counter).next, 1u)
-    : gl_LocalInvocationIndex +
-      64u * (gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y);
+  const uint i = takeNumber();
   if (push.band.spacing == 0u)
   {
     if (i >= push.band.count)

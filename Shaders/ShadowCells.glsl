@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One invocation: the share of a light that comes through the medium to the centre of a cell.
 
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "Invocation.glsl"
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Shares { float items[]; };
 
 void main()
 {
   FrameBuffer f = FrameBuffer(push.band.frame);
-  const uint i = takesPixels
-    ? atomicAdd(Counter(push.band.counter).next, 1u)
-    : gl_LocalInvocationIndex +
-      64u * (gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y);
+  const uint i = takeNumber();
   if (i >= push.band.count)
   {
     return;

@@ -19,14 +19,7 @@ float shareOfLight(Brick brick, uint others, Ray ray, float distance, uint light
   {
     const vec3 q = toCells(brick, ray, distance);
     brick.values = sharesOf(brick, light);
-    if (isCompleted)
-    {
-      addCompleted(brick, q, component, sum, weight);
-    }
-    else
-    {
-      addBasis(brick, q, component, sum, weight);
-    }
+    addReconstructed(brick, q, component, sum, weight);
     if (others == 0u)
     {
       break;

@@ -15,9 +15,6 @@ namespace vulkan
 {
 namespace
 {
-constexpr double PieceSeconds = 0.03;  // as long as a piece of a picture takes
-constexpr double GreatestGrowth = 4.0; // of one piece to the next
-
 // Of the steps of pictures, up to one of a cell: in fog of noise they take a quarter off the time
 // and 0.3 dB at most off pictures of 51 to 64 dB.
 constexpr double StepsOfPicture = 2.0;
@@ -176,8 +173,7 @@ bool CellShadows::find(const ShadowCause& cause, const layout::Frame& frame, con
       band.counter = this->Counters.address(0);
       band.firstRow = next;
       band.count = std::min(this->Cells - next,
-        static_cast<std::uint32_t>(
-          std::clamp<double>(PieceSeconds * this->CellsPerSecond, 64.0, 1e9)));
+        static_cast<std::uint32_t>(std::clamp<double>(this->CellPace.wanted(), 64.0, 1e9)));
       band.light = light;
       const Stopwatch watch;
       this->Owner->submit(
@@ -193,8 +189,7 @@ bool CellShadows::find(const ShadowCause& cause, const layout::Frame& frame, con
           }
           pass.recordList(commands, band);
         });
-      const double rate = band.count / std::max(watch.seconds(), 1e-6);
-      this->CellsPerSecond = std::min(rate, GreatestGrowth * this->CellsPerSecond);
+      this->CellPace.took(watch.seconds(), band.count);
       next += band.count;
       if (!goOn())
       {

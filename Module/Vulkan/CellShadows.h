@@ -9,6 +9,7 @@
 #include "Vulkan/DeviceVolume.h"
 #include "Vulkan/Exchange.h"
 #include "Vulkan/MarchPass.h"
+#include "Vulkan/Pace.h"
 
 #include <functional>
 
@@ -83,7 +84,7 @@ private:
   std::uint32_t Bricks;
   std::uint32_t ListedBricks = 0;
   std::uint32_t Cells = 0; // of those
-  double CellsPerSecond = 5e5;
+  Pace CellPace{ 5e5 };
   std::optional<ShadowCause> Found;  // what all of them are of
   std::optional<ShadowCause> Filled; // each is of it, or of other lights in the same medium
 };

@@ -11,12 +11,6 @@ namespace exabricks
 {
 namespace vulkan
 {
-namespace
-{
-// Pixels may cost more than those before: from one piece to the next they grow by no more.
-constexpr double GreatestGrowth = 4.0;
-}
-
 PictureJob::PictureJob(std::shared_ptr<Device> device)
   : Owner(std::move(device))
   , Counters(this->Owner, 1)
@@ -96,7 +90,7 @@ void PictureJob::MarchRows()
 {
   const std::uint32_t columns = (this->Width + this->Spacing - 1) / this->Spacing;
   const std::uint32_t allRows = (this->Height + this->Spacing - 1) / this->Spacing;
-  const double wanted = this->WantedPixels() / (columns * TileSize);
+  const double wanted = this->Pixels.wanted() / (columns * TileSize);
   const std::uint32_t tileRows = (allRows - this->NextRow + TileSize - 1) / TileSize;
   const std::uint32_t rows = std::min(allRows - this->NextRow,
     TileSize * static_cast<std::uint32_t>(std::clamp<double>(wanted, 1.0, tileRows)));
@@ -138,7 +132,7 @@ bool PictureJob::MarchPiece(vk::DeviceAddress list, std::uint32_t all, const Dev
   const Device::Record& after)
 {
   const std::uint32_t count = std::min(all - this->NextOfList,
-    static_cast<std::uint32_t>(std::clamp<double>(this->WantedPixels(), 64.0, 1e9)));
+    static_cast<std::uint32_t>(std::clamp<double>(this->Pixels.wanted(), 64.0, 1e9)));
   const bool last = this->NextOfList + count == all;
   if (count > 0)
   {
@@ -238,12 +232,7 @@ void PictureJob::RecordList(const vk::raii::CommandBuffer& commands, vk::DeviceA
 void PictureJob::Took(double seconds, double pixels)
 {
   this->Rays += static_cast<std::size_t>(pixels);
-  const double rate = pixels / std::max(seconds, 1e-6);
-  // What a small piece takes is not its pixels' time alone.
-  if (rate > this->PixelsPerSecond || pixels >= 0.5 * this->WantedPixels())
-  {
-    this->PixelsPerSecond = std::min(rate, GreatestGrowth * this->PixelsPerSecond);
-  }
+  this->Pixels.took(seconds, pixels);
 }
 
 double PictureJob::progress() const

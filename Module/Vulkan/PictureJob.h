@@ -6,6 +6,7 @@
 
 #include "Vulkan/Exchange.h"
 #include "Vulkan/MarchPass.h"
+#include "Vulkan/Pace.h"
 #include "Vulkan/RayRefinement.h"
 
 namespace exabricks
@@ -24,13 +25,10 @@ public:
   void begin(const layout::Frame& frame, const Target& target, const MarchPass& pass,
     double predictionTolerance = 0.0);
 
-  /// Marches the next pixels, so many that it takes about PieceSeconds by what the last ones took:
-  /// a GPU that also drives a display must not be kept for long, and whoever waits may want to
-  /// interrupt. False: all are done.
+  /// Marches the next pixels, a piece at a time (Pace). False: all are done.
   bool march();
   /// Pixels done, of all.
   double progress() const;
-  static constexpr double PieceSeconds = 0.03;
 
   /// The picture, [height][width], when all pixels are done; and how many of them were marched.
   const glm::vec4* pixels() const;
@@ -53,7 +51,6 @@ private:
   void MarchList();
   void Fetch();
 
-  double WantedPixels() const { return PieceSeconds * this->PixelsPerSecond; }
   void RecordInputs(const vk::raii::CommandBuffer& commands) const;
   void RecordPicture(const vk::raii::CommandBuffer& commands) const;
   /// So many pixels of a list, from the first one on.
@@ -84,7 +81,7 @@ private:
   std::uint32_t NextOfList = 0;
   std::size_t Rays = 0;
   std::size_t Predicted = 0;
-  double PixelsPerSecond = 2e6; // of the last piece, of this picture or the one before
+  Pace Pixels{ 2e6 }; // of this picture and those before
 };
 }
 }
