@@ -80,8 +80,6 @@ vtkSmartPointer<vtkDataArray> readableByThreads(vtkDataArray* array)
   return copy;
 }
 
-constexpr unsigned char AnyKind = 0xff;
-
 // `component`: as for AMRCellSource; of an array of one, that.
 void readRows(vtkDataArray* array, const std::vector<vtkIdType>& rows, std::int64_t count,
   int component, bool needsAll, double* values)
@@ -120,7 +118,7 @@ AMRCellSource::AMRCellSource(const AMRInput& input, int component)
     source.hidden = vtkDataSetAttributes::HIDDENCELL;
     source.pointGhosts = findGhosts(
       grid->GetPointData(), grid->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
-    source.ghosts = findGhosts(grid->GetCellData(), grid->GetNumberOfCells(), AnyKind);
+    source.ghosts = findGhosts(grid->GetCellData(), grid->GetNumberOfCells(), AnyGhost);
     if (source.ghosts)
     {
       const Box& cells = input.hierarchy.blocks[b].cells;
@@ -224,25 +222,17 @@ void AMRCellSource::read(int block, const Box& cells, double* values) const
   }
 }
 
-// As vtkUniformGrid::IsCellVisible() has it: a cell shows if all of its points do.
 void AMRCellSource::HideCellsOfHiddenPoints(
   const Source& source, const Box& cells, double* values) const
 {
-  const Int3 points = source.gridCells + Int3(1);
-  const std::array<std::int64_t, 8> corners{ 0, 1, points.x, points.x + 1, points.x * points.y,
-    points.x * points.y + 1, points.x * (points.y + 1), points.x * (points.y + 1) + 1 };
+  const HiddenCorners corners(source.pointGhosts, source.gridCells + Int3(1));
   for (std::int64_t z = cells.lo.z; z < cells.hi.z; ++z)
   {
     for (std::int64_t y = cells.lo.y; y < cells.hi.y; ++y)
     {
-      const Int3 at = Int3(cells.lo.x, y, z) - source.first;
-      const unsigned char* lowest =
-        source.pointGhosts + (at.x + points.x * (at.y + points.y * at.z));
-      for (std::int64_t i = 0; i < cells.size().x; ++i, ++lowest, ++values)
+      for (std::int64_t x = cells.lo.x; x < cells.hi.x; ++x, ++values)
       {
-        if (std::any_of(corners.begin(), corners.end(),
-              [lowest](std::int64_t corner)
-              { return lowest[corner] & vtkDataSetAttributes::HIDDENPOINT; }))
+        if (corners.hide(Int3(x, y, z) - source.first))
         {
           *values = HiddenValue;
         }

@@ -6,7 +6,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
-#include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -22,26 +21,27 @@ namespace
 // itself, if no point is hidden.
 vtkSmartPointer<vtkImageData> hideCellsOfHiddenPoints(vtkImageData* grid)
 {
-  const unsigned char* const points =
+  const unsigned char* const hidden =
     findGhosts(grid->GetPointData(), grid->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
-  if (!points)
+  if (!hidden)
   {
     return grid;
   }
-  const vtkIdType cells = grid->GetNumberOfCells();
-  const unsigned char* const before = findGhosts(grid->GetCellData(), cells, 0xff);
+  const vtkIdType count = grid->GetNumberOfCells();
+  const unsigned char* const before = findGhosts(grid->GetCellData(), count, AnyGhost);
   vtkNew<vtkUnsignedCharArray> marks;
   marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  marks->SetNumberOfTuples(cells);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < cells; ++cell)
+  marks->SetNumberOfTuples(count);
+  const int* const dimensions = grid->GetDimensions();
+  const Int3 points(dimensions[0], dimensions[1], dimensions[2]);
+  const HiddenCorners corners(hidden, points);
+  const Int3 cells = points - Int3(1);
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    grid->GetCellPoints(cell, corners);
-    const bool isHidden = std::any_of(corners->begin(), corners->end(),
-      [&](vtkIdType point) { return points[point] & vtkDataSetAttributes::HIDDENPOINT; });
-    const int mark = (before ? before[cell] : 0) |
-      (isHidden ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL) : 0);
-    marks->SetValue(cell, static_cast<unsigned char>(mark));
+    const Int3 cell(i % cells.x, i / cells.x % cells.y, i / (cells.x * cells.y));
+    const int mark = (before ? before[i] : 0) |
+      (corners.hide(cell) ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL) : 0);
+    marks->SetValue(i, static_cast<unsigned char>(mark));
   }
   auto marked = vtkSmartPointer<vtkImageData>::Take(grid->NewInstance());
   marked->ShallowCopy(grid);
