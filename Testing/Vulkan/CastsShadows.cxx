@@ -3,10 +3,7 @@
 // precision, which looks for shadows at each sample. Ours are found at cells and reconstructed
 // between them, so that they are right where they change little over a cell: fog of smooth fields,
 // on one level and across levels.
-#include "SceneRenderer.h"
-#include "Traversals.h"
-
-#include "Reference/Shaded.h"
+#include "ShadedCase.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -33,54 +30,13 @@ Lighting lightFrom(const glm::dvec3& direction, const Scattering& scattering)
   return lighting;
 }
 
-struct Case
+struct Case : ShadedCase
 {
-  SceneRenderer subject;
-  reference::Oracle oracle;
-  reference::View view;
-  reference::ShadedSettings settings;
-
   explicit Case(const reference::Scene& scene)
-    : subject(scene)
-    , oracle(scene.hierarchy, findLeafBoxes(scene.hierarchy), scene.cells)
-    , view(subject.look({ -0.6, 0.5, -0.4 }, 30.0, Pixels))
+    : ShadedCase(scene, fog(), Pixels)
   {
-    this->subject.opacityUnitDistance = this->settings.opacityUnitDistance = 3.0;
     this->subject.stepScale = 0.25;
     this->settings.step = 1.0 / 8.0;
-    this->subject.setTransfer(fog());
-  }
-
-  reference::Image truth() const
-  {
-    return reference::renderShaded(reference::fieldOf(this->oracle),
-      this->subject.structure.tree.bounds, this->view,
-      reference::logicalToWorld(this->subject.scene.hierarchy), this->subject.transfer,
-      this->settings);
-  }
-
-  glm::dvec3 worldSize() const
-  {
-    return glm::dmat3(reference::logicalToWorld(this->subject.scene.hierarchy)) *
-      glm::dvec3(this->subject.structure.tree.bounds.size());
-  }
-
-  reference::Image draw()
-  {
-    this->subject.lighting = this->settings.lighting;
-    return this->subject.render(this->view);
-  }
-
-  // dB over drawn pixels, the worst of the traversals.
-  double compare(const reference::Image& truth)
-  {
-    double worst = 1000.0;
-    for (const Traversal traversal : traversalsOfDevice())
-    {
-      this->subject.renderer.selectTraversal(traversal);
-      worst = std::min(worst, reference::psnrOfDrawn(this->draw(), truth));
-    }
-    return worst;
   }
 };
 }
@@ -144,11 +100,8 @@ TEST(CastsShadows, OfWhatIsDrawnAlone)
   const reference::Image clipped = test.draw();
   // The lower half is not there at all.
   const reference::FieldFunction field = reference::fieldOf(test.oracle);
-  const reference::Image truth = reference::renderShaded(
-    [&](const glm::dvec3& place) -> std::optional<double>
-    { return place.y < middle.y ? std::nullopt : field(place); },
-    test.subject.structure.tree.bounds, test.view,
-    reference::logicalToWorld(test.subject.scene.hierarchy), test.subject.transfer, test.settings);
+  const reference::Image truth = test.truthOf([&](const glm::dvec3& place) -> std::optional<double>
+    { return place.y < middle.y ? std::nullopt : field(place); });
   const double quality = reference::psnrOfDrawn(clipped, truth);
   std::cout << "clipped: " << quality << " dB\n";
   EXPECT_GE(quality, 40.0); // the reference's steps meet the plane anywhere

@@ -2,10 +2,7 @@
 // Shading and opacity by gradients beside brute force in double precision, on one level and across
 // levels, with every kind of light. The scenes are noise, whose gradient jumps at each face between
 // cells: errors fall with the step, not with its square.
-#include "SceneRenderer.h"
-#include "Traversals.h"
-
-#include "Reference/Shaded.h"
+#include "ShadedCase.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -56,48 +53,12 @@ Lighting threeLights(const glm::dvec3& size)
   return lighting;
 }
 
-struct Case
+struct Case : ShadedCase
 {
-  SceneRenderer subject;
-  reference::Oracle oracle;
-  reference::View view;
-  reference::ShadedSettings settings;
-
   explicit Case(const reference::Scene& scene)
-    : subject(scene)
-    , oracle(scene.hierarchy, findLeafBoxes(scene.hierarchy), scene.cells)
-    , view(subject.look({ -0.6, 0.5, -0.4 }, 30.0, Pixels))
+    : ShadedCase(scene, fog(), Pixels)
   {
-    this->subject.opacityUnitDistance = this->settings.opacityUnitDistance = 3.0;
     this->subject.stepScale = 0.125;
-    this->subject.setTransfer(fog());
-  }
-
-  glm::dvec3 worldSize() const
-  {
-    return glm::dmat3(reference::logicalToWorld(this->subject.scene.hierarchy)) *
-      glm::dvec3(this->subject.structure.tree.bounds.size());
-  }
-
-  reference::Image truth() const
-  {
-    return reference::renderShaded(reference::fieldOf(this->oracle),
-      this->subject.structure.tree.bounds, this->view,
-      reference::logicalToWorld(this->subject.scene.hierarchy), this->subject.transfer,
-      this->settings);
-  }
-
-  // dB over drawn pixels, the worst of the traversals.
-  double compare(const reference::Image& truth)
-  {
-    this->subject.lighting = this->settings.lighting;
-    double worst = 1000.0;
-    for (const Traversal traversal : traversalsOfDevice())
-    {
-      this->subject.renderer.selectTraversal(traversal);
-      worst = std::min(worst, reference::psnrOfDrawn(this->subject.render(this->view), truth));
-    }
-    return worst;
   }
 };
 

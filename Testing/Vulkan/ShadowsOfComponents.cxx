@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadows through components that have opacities of their own, and of as many lights as there may
 // be.
-#include "SceneRenderer.h"
-
-#include "Reference/Shaded.h"
+#include "ShadedCase.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -37,21 +35,12 @@ Lighting eightLights()
 
 TEST(ShadowsOfComponents, AreThoseOfTheMediumThatTheyMake)
 {
-  const reference::Scene scene = reference::twoLevels();
-  SceneRenderer subject(scene);
-  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0, Pixels);
-  subject.opacityUnitDistance = 3.0;
-  subject.setTransfer(fog());
-  subject.lighting = eightLights();
-  const reference::Image one = subject.render(view);
-  reference::ShadedSettings settings;
-  settings.lighting = subject.lighting;
-  settings.opacityUnitDistance = subject.opacityUnitDistance;
-  settings.step = 1.0 / 8.0;
-  const reference::Oracle oracle(scene.hierarchy, findLeafBoxes(scene.hierarchy), scene.cells);
-  const double quality = reference::psnrOfDrawn(one,
-    reference::renderShaded(reference::fieldOf(oracle), subject.structure.tree.bounds, view,
-      reference::logicalToWorld(scene.hierarchy), subject.transfer, settings));
+  ShadedCase test(reference::twoLevels(), fog(), Pixels);
+  SceneRenderer& subject = test.subject;
+  test.settings.lighting = eightLights();
+  test.settings.step = 1.0 / 8.0;
+  const reference::Image one = test.draw();
+  const double quality = reference::psnrOfDrawn(one, test.truth());
   EXPECT_GE(quality, 55.0);
 
   // Twice the same component, each of half the weight, is that component.
@@ -61,7 +50,7 @@ TEST(ShadowsOfComponents, AreThoseOfTheMediumThatTheyMake)
   const Volume& alone = subject.plain;
   subject.renderer.setVolume({ alone.structure, alone.values, { alone.values } });
   subject.renderer.setMedium(medium);
-  const double same = reference::psnrOfDrawn(subject.render(view), one);
+  const double same = reference::psnrOfDrawn(test.draw(), one);
   std::cout << "eight lights: " << quality << " dB; through two halves: " << same << " dB\n";
   EXPECT_GE(same, 60.0);
 }
