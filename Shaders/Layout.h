@@ -110,7 +110,8 @@ struct ActiveBox
 EXABRICKS_CONST uint LAST_BRICK = 1u << 31;
 
 // A node of a k-d tree. 8 bytes. link = 4 * index + axis for a split: the index is that of the
-// lower child, the upper one follows it. A leaf of the tree over the regions: 4 * region + KD_LEAF.
+// lower child, the upper one follows it. A leaf of the tree over the regions: 4 * region + KD_LEAF,
+// and `plane` is the width of the region's finest cells.
 // One of the tree over the active boxes: 4 * firstBrick + KD_LEAF, and `plane` holds the bits of
 // `step`.
 struct KdNode

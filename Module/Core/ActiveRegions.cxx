@@ -42,11 +42,13 @@ public:
   ActiveRegions take(const Subtree& root)
   {
     this->Put(0, root);
+    this->Result.nodes.resize(this->Used);
+    this->Result.nodeExtremes.resize(this->wantsExtremes() ? this->Used : 0);
     return std::move(this->Result);
   }
 
-  /// Below the root, for which there is a place.
-  std::size_t nodes() const { return this->Result.nodes.size(); }
+  /// With the root, for which there is a place.
+  std::size_t nodes() const { return this->Used; }
   ActiveRegions& result() { return this->Result; }
 
   float extremeOf(const ValueRange& range) const
@@ -100,27 +102,30 @@ public:
   void put(const TreeMaker& other, const Place& place)
   {
     const ActiveRegions& from = other.Result;
-    for (std::size_t i = 1; i < from.nodes.size(); ++i)
+    for (std::size_t i = 1; i < other.Used; ++i)
     {
       this->Result.nodes[place.nodes + i - 1] = moved(from.nodes[i], place);
     }
-    const auto copy = [](auto& to, const auto& more, std::size_t first, std::size_t at)
+    const auto at = [](auto& items, std::size_t i)
+    { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (this->wantsExtremes())
     {
-      if (more.size() > first)
-      {
-        std::copy(more.begin() + static_cast<std::ptrdiff_t>(first), more.end(),
-          to.begin() + static_cast<std::ptrdiff_t>(at));
-      }
-    };
-    copy(this->Result.nodeExtremes, from.nodeExtremes, 1, place.nodes);
-    copy(this->Result.boxes, from.boxes, 0, place.boxes);
-    copy(this->Result.boxExtremes, from.boxExtremes, 0, place.boxes);
+      std::copy(at(from.nodeExtremes, 1), at(from.nodeExtremes, other.Used),
+        at(this->Result.nodeExtremes, place.nodes));
+      std::copy(from.boxExtremes.begin(), from.boxExtremes.end(),
+        at(this->Result.boxExtremes, place.boxes));
+    }
+    std::copy(from.boxes.begin(), from.boxes.end(), at(this->Result.boxes, place.boxes));
   }
 
-  /// A node of a tree that is there.
-  static layout::KdNode moved(const layout::KdNode& node, const Place& place)
+  /// A node of a tree that is there. Links have been checked, and without branches are moved in
+  /// half the time.
+  static layout::KdNode moved(layout::KdNode node, const Place& place)
   {
-    return moveLink(node, place.nodes - 1, 0);
+    const bool isSplit = (node.link & 3) != layout::KD_LEAF;
+    node.link +=
+      static_cast<std::uint32_t>(isSplit) * 4 * static_cast<std::uint32_t>(place.nodes - 1);
+    return node;
   }
 
   void count(const TreeMaker& other)
@@ -130,10 +135,16 @@ public:
   }
 
 private:
+  // There is room for more than is used, so that vectors seldom grow.
   void Resize(std::size_t nodes)
   {
-    this->Result.nodes.resize(nodes);
-    this->Result.nodeExtremes.resize(this->wantsExtremes() ? nodes : 0);
+    this->Used = nodes;
+    if (nodes > this->Result.nodes.size())
+    {
+      const std::size_t room = std::max(nodes, 2 * this->Result.nodes.size());
+      this->Result.nodes.resize(room);
+      this->Result.nodeExtremes.resize(this->wantsExtremes() ? room : 0);
+    }
   }
 
   void Put(std::size_t place, const Subtree& subtree)
@@ -147,6 +158,7 @@ private:
 
   const Extreme Wanted;
   ActiveRegions Result;
+  std::size_t Used = 0; // of the nodes
 };
 
 // Selects below one node of the regions' tree.
@@ -157,6 +169,7 @@ public:
   Selection(const Volume& volume, const ValueRanges& ranges, const std::vector<Shown>& shown,
     const StepWeights* weights, const ActiveForm& form, bool anyAbsentCells)
     : Part(volume.structure->shown())
+    , IsWhole(!volume.structure->hierarchy.shown)
     , Tree(volume.structure->tree)
     , BrickHasAbsentCells(volume.values->brickHasAbsentCells)
     , BrickHasUndefinedCells(volume.values->brickHasUndefinedCells)
@@ -193,22 +206,32 @@ private:
   bool IsInPart(const layout::Region& region) const
   {
     // Also one that ends at its face: the cell before a surface may be in it.
-    return this->Part.intersects(
-      { Int3(region.lo) - std::int64_t(1), Int3(region.hi) + std::int64_t(1) });
+    return this->IsWhole ||
+      this->Part.intersects(
+        { Int3(region.lo) - std::int64_t(1), Int3(region.hi) + std::int64_t(1) });
   }
 
   bool ShowsUndefined(const layout::Region& region) const
   {
+    if (!this->Form.undefined || this->BrickHasUndefinedCells.empty())
+    {
+      return false;
+    }
     const auto first = this->Tree.brickLists.begin() + region.firstBrick;
-    return this->Form.undefined && !this->BrickHasUndefinedCells.empty() &&
-      std::any_of(first, first + region.brickCount,
-        [this](std::uint32_t brick) { return this->BrickHasUndefinedCells[brick] != 0; });
+    return std::any_of(first, first + region.brickCount,
+      [this](std::uint32_t brick) { return this->BrickHasUndefinedCells[brick] != 0; });
   }
 
   bool ShowsRegion(std::uint32_t region) const
   {
     return std::any_of(this->Components.begin(), this->Components.end(),
       [=](const Shown& of) { return of.transfer->visible(of.ranges->regions[region]); });
+  }
+
+  bool ShowsSplit(std::size_t split) const
+  {
+    return std::any_of(this->Components.begin(), this->Components.end(),
+      [=](const Shown& of) { return of.transfer->visible(of.ranges->splits[split]); });
   }
 
   bool ShowsMacrocell(std::size_t i) const
@@ -223,6 +246,10 @@ private:
     const std::uint32_t index = node.link >> 2;
     if ((node.link & 3) != layout::KD_LEAF)
     {
+      if (!this->Form.undefined && !this->ShowsSplit(index / 2))
+      {
+        return {};
+      }
       return this->Made.join(
         node.link & 3, node.plane, [&] { return this->Select(index); },
         [&] { return this->Select(index + 1); });
@@ -234,24 +261,26 @@ private:
       ++this->NextGrid;
     }
     const bool undefined = this->ShowsUndefined(region);
-    if (region.brickCount == 0 || !this->IsInPart(region) ||
-      (!undefined && !this->ShowsRegion(index)))
+    // Values first: where they do not show, the region is not read.
+    if ((!undefined && !this->ShowsRegion(index)) || region.brickCount == 0 ||
+      !this->IsInPart(region))
     {
       return {};
     }
     ++this->Made.result().regions;
     if (undefined || this->NextGrid == grids.size() || grids[this->NextGrid].region != index)
     {
-      return this->Show(region, region.lo, region.hi, this->Ranges.regions[index]);
+      return this->Show(region, node.plane, region.lo, region.hi, this->Ranges.regions[index]);
     }
     const MacrocellGrid& grid = grids[this->NextGrid];
-    return this->Cut(region, grid, glm::ivec3(0), grid.count(region));
+    return this->Cut(region, node.plane, grid, glm::ivec3(0), grid.count(region));
   }
 
   // Selects among the macrocells of a region from `begin` up to `end`: layers that show nothing are
-  // cut off, side by side, and where there are none, the macrocells are halved.
-  Subtree Cut(const layout::Region& region, const MacrocellGrid& grid, const glm::ivec3& begin,
-    const glm::ivec3& end)
+  // cut off, side by side, and where there are none, the macrocells are halved. `width`: of its
+  // finest cells.
+  Subtree Cut(const layout::Region& region, int width, const MacrocellGrid& grid,
+    const glm::ivec3& begin, const glm::ivec3& end)
   {
     const glm::ivec3 n = grid.count(region);
     glm::ivec3 first = end;
@@ -283,7 +312,7 @@ private:
     }
     if (all)
     {
-      return this->Show(region, grid.corner(region, begin), grid.corner(region, end), range);
+      return this->Show(region, width, grid.corner(region, begin), grid.corner(region, end), range);
     }
     const auto join = [&](int axis, int middle, bool lower, bool upper)
     {
@@ -292,8 +321,8 @@ private:
       lowerEnd[axis] = upperBegin[axis] = middle;
       return this->Made.join(
         axis, grid.corner(region, glm::ivec3(middle))[axis],
-        [&] { return lower ? this->Cut(region, grid, begin, lowerEnd) : Subtree(); },
-        [&] { return upper ? this->Cut(region, grid, upperBegin, end) : Subtree(); });
+        [&] { return lower ? this->Cut(region, width, grid, begin, lowerEnd) : Subtree(); },
+        [&] { return upper ? this->Cut(region, width, grid, upperBegin, end) : Subtree(); });
     };
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -310,18 +339,15 @@ private:
     return join(axis, (begin[axis] + end[axis]) / 2, true, true);
   }
 
-  Subtree Show(const layout::Region& region, const glm::ivec3& lo, const glm::ivec3& hi,
+  Subtree Show(const layout::Region& region, int width, const glm::ivec3& lo, const glm::ivec3& hi,
     const ValueRange& range)
   {
-    const std::int64_t width =
-      this->Tree.finestCells[static_cast<std::size_t>(&region - this->Tree.regions.data())];
     const auto bricks = this->Tree.brickLists.begin() + region.firstBrick;
     const bool absent = this->AnyAbsentCells &&
       std::any_of(bricks, bricks + region.brickCount,
         [this](std::uint32_t brick) { return this->BrickHasAbsentCells[brick] != 0; });
-    const double cells =
-      this->Weights ? this->Weights->step(range, static_cast<double>(width)) : 1.0;
-    const float length = static_cast<float>(cells * 2.0 * static_cast<double>(width));
+    const double cells = this->Weights ? this->Weights->step(range, width) : 1.0;
+    const float length = static_cast<float>(cells * 2.0 * width);
     const float step = absent ? -length : length;
     layout::KdNode leaf{ 0, makeLink(region.firstBrick, layout::KD_LEAF) };
     std::memcpy(&leaf.plane, &step, sizeof step);
@@ -338,7 +364,8 @@ private:
     return { leaf, range };
   }
 
-  const Box Part; // in half cells from the bounds' lower corner
+  const Box Part;     // in half cells from the bounds' lower corner
+  const bool IsWhole; // it is all there is
   const RegionTree& Tree;
   const std::vector<unsigned char>& BrickHasAbsentCells;
   const std::vector<unsigned char>& BrickHasUndefinedCells;
@@ -497,6 +524,7 @@ ActiveRegions selectAllRegions(const Volume& volume, const ActiveForm& form)
 {
   ValueRanges whole;
   whole.regions.assign(volume.structure->tree.regions.size(), { 0.0f, 1.0f });
+  whole.splits.assign(volume.structure->tree.nodes.size() / 2, { 0.0f, 1.0f });
   const TransferFunction opaque({ { 0.0, glm::dvec4(1.0) } });
   return select(volume, whole, { { &whole, &opaque } }, nullptr, form);
 }

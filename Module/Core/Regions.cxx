@@ -3,11 +3,10 @@
 
 #include "Core/FirstException.h"
 #include "Core/KdLink.h"
+#include "Core/SharedProgress.h"
 
-#include <atomic>
 #include <limits>
 #include <memory>
-#include <omp.h>
 
 namespace exabricks
 {
@@ -48,41 +47,6 @@ struct Given
   std::vector<HalfBox> bricks;
   std::vector<HalfBox> supports;
   std::vector<std::int64_t> widths; // of the bricks' cells, finest cells
-};
-
-// Progress of what is made on several threads, of which the first one reports it.
-class Watch
-{
-public:
-  explicit Watch(const Progress& progress)
-    : Report(progress)
-  {
-  }
-
-  bool aborted() const { return this->Aborted.load(std::memory_order_relaxed); }
-
-  // `fraction` of all work was done, as one of `count` pieces of its kind.
-  void pass(double fraction, std::size_t count)
-  {
-    if (!this->Report)
-    {
-      return;
-    }
-    double done = this->Done.load();
-    while (!this->Done.compare_exchange_weak(done, done + fraction))
-    {
-    }
-    if (count % 4096 == 0 && omp_get_thread_num() == 0 &&
-      !this->Report(std::min(done + fraction, 1.0)))
-    {
-      this->Aborted = true;
-    }
-  }
-
-private:
-  const Progress& Report;
-  std::atomic<double> Done{ 0.0 };
-  std::atomic<bool> Aborted{ false };
 };
 
 // Finds the face of a support that is nearest to the middle of the longest axis that has one, to
@@ -133,9 +97,9 @@ HalfBox sideOf(HalfBox box, int axis, int plane, bool upper)
 class Branch
 {
 public:
-  Branch(const Given& given, Watch& watch)
+  Branch(const Given& given, SharedProgress& progress)
     : Of(given)
-    , Watched(watch)
+    , Watched(progress)
   {
   }
 
@@ -143,7 +107,7 @@ public:
   {
     this->Lists = std::move(list);
     this->Tree.nodes.push_back({});
-    this->BuildNode(box, 0, 0, fraction);
+    this->BuildNode(box, 0, 0, Cover::Partial, fraction);
     this->Lists = {};
   }
 
@@ -195,7 +159,9 @@ private:
   }
 
   // The node's list is the end of Lists, from `begin` on; `fraction` is its part of the whole work.
-  void BuildNode(const HalfBox& box, std::size_t node, std::size_t begin, double fraction)
+  // `cover`: of a node around this one, which is that of this one unless it is Partial.
+  void BuildNode(
+    const HalfBox& box, std::size_t node, std::size_t begin, Cover cover, double fraction)
   {
     if (this->Watched.aborted())
     {
@@ -215,7 +181,7 @@ private:
     }
     if (this->Best.axis < 0)
     {
-      const Cover cover = this->FindCover(box, begin);
+      cover = cover == Cover::Partial ? this->FindCover(box, begin) : cover;
       if (cover != Cover::None)
       {
         this->ChoosePlane(box, begin, !this->IsFew(box, begin), cover == Cover::Partial);
@@ -244,7 +210,7 @@ private:
         }
       }
       // The child's list begins where the node's ends.
-      this->BuildNode(sideOf(box, axis, plane, upper), child + upper, end, fraction * 0.5);
+      this->BuildNode(sideOf(box, axis, plane, upper), child + upper, end, cover, fraction * 0.5);
       this->Lists.resize(end);
     }
   }
@@ -252,13 +218,13 @@ private:
   void AddRegion(const HalfBox& box, std::size_t node, std::size_t begin, double fraction)
   {
     const std::size_t region = this->Tree.regions.size();
-    this->Tree.nodes[node] = { 0, makeLink(region, layout::KD_LEAF) };
+    const std::int64_t finest = begin < this->Lists.size() ? this->FinestOfList(begin) : 0;
+    this->Tree.nodes[node] = { static_cast<int>(finest), makeLink(region, layout::KD_LEAF) };
     this->Tree.regions.push_back({ box.lo, checkIndex(this->Tree.brickLists.size()), box.hi,
       static_cast<std::uint32_t>(this->Lists.size() - begin) });
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), this->Lists.begin() + begin, this->Lists.end());
-    this->Tree.finestCells.push_back(begin < this->Lists.size() ? this->FinestOfList(begin) : 0);
-    this->Watched.pass(fraction, region);
+    this->Watched.pass(fraction);
   }
 
   // Finds the face inside the node at which cutting it costs least: area times length of list, both
@@ -268,41 +234,43 @@ private:
   void ChoosePlane(const HalfBox& box, std::size_t begin, bool cutSupports, bool cutBricks)
   {
     double bestCost = std::numeric_limits<double>::max();
+    const std::size_t count = this->Lists.size() - begin;
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Positions.clear();
-      for (std::size_t i = begin; i < this->Lists.size(); ++i)
+      this->Lowest.resize(count);
+      this->Highest.resize(count);
+      for (std::size_t i = 0; i < count; ++i)
       {
-        const HalfBox& support = this->Of.supports[this->Lists[i]];
-        const HalfBox& brick = this->Of.bricks[this->Lists[i]];
-        for (const int position :
-          { cutSupports ? support.lo[axis] : 0, cutSupports ? support.hi[axis] : 0,
-            cutBricks ? brick.lo[axis] : 0, cutBricks ? brick.hi[axis] : 0 })
+        const HalfBox& support = this->Of.supports[this->Lists[begin + i]];
+        this->Lowest[i] = support.lo[axis];
+        this->Highest[i] = support.hi[axis];
+        if (cutSupports)
         {
-          if (position > box.lo[axis] && position < box.hi[axis])
-          {
-            this->Positions.push_back(position);
-          }
+          this->AddPosition(box, axis, support.lo[axis]);
+          this->AddPosition(box, axis, support.hi[axis]);
+        }
+        if (cutBricks)
+        {
+          const HalfBox& brick = this->Of.bricks[this->Lists[begin + i]];
+          this->AddPosition(box, axis, brick.lo[axis]);
+          this->AddPosition(box, axis, brick.hi[axis]);
         }
       }
-      std::sort(this->Positions.begin(), this->Positions.end());
-      this->Positions.erase(
-        std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
       for (const int position : this->Positions)
       {
-        HalfBox lower = box;
-        HalfBox upper = box;
-        lower.hi[axis] = upper.lo[axis] = position;
         int lowerCount = 0;
         int upperCount = 0;
-        for (std::size_t i = begin; i < this->Lists.size(); ++i)
+        for (std::size_t i = 0; i < count; ++i)
         {
-          const HalfBox& support = this->Of.supports[this->Lists[i]];
-          lowerCount += support.lo[axis] < position;
-          upperCount += support.hi[axis] > position;
+          lowerCount += this->Lowest[i] < position;
+          upperCount += this->Highest[i] > position;
         }
-        const double cost = lower.area() * lowerCount + upper.area() * upperCount;
-        if (cost < bestCost)
+        const double cost = sideOf(box, axis, position, false).area() * lowerCount +
+          sideOf(box, axis, position, true).area() * upperCount;
+        // Of equal ones the first axis, and on it the lowest position.
+        const bool isLower = this->Best.axis == axis && position < this->Best.position;
+        if (cost < bestCost || (cost == bestCost && isLower))
         {
           bestCost = cost;
           this->Best = { axis, position };
@@ -311,14 +279,27 @@ private:
     }
   }
 
+  // Lists are short: to search them takes less time than to sort them.
+  void AddPosition(const HalfBox& box, int axis, int position)
+  {
+    if (position > box.lo[axis] && position < box.hi[axis] &&
+      std::find(this->Positions.begin(), this->Positions.end(), position) == this->Positions.end())
+    {
+      this->Positions.push_back(position);
+    }
+  }
+
   // Longer lists are split at the middle, shorter ones by cost.
   static constexpr std::size_t ExactCount = 24;
 
   const Given& Of;
-  Watch& Watched;
+  SharedProgress& Watched;
   RegionTree Tree;
   std::vector<std::uint32_t> Lists; // a stack of the lists of the nodes on the current path
   Candidate Best;
+  // Scratch of ChoosePlane.
+  std::vector<int> Lowest;
+  std::vector<int> Highest;
   std::vector<int> Positions;
 };
 
@@ -376,7 +357,7 @@ public:
     this->MakeBranches();
     if (this->Watched.aborted())
     {
-      return { this->Tree.bounds, this->Tree.size, {}, {}, {}, {} };
+      return { this->Tree.bounds, this->Tree.size, {}, {}, {} };
     }
     this->PutTogether();
     return std::move(this->Tree);
@@ -458,7 +439,6 @@ private:
     }
     this->Tree.nodes.reserve(nodes);
     this->Tree.regions.reserve(regions);
-    this->Tree.finestCells.reserve(regions);
     this->Tree.brickLists.reserve(listed);
     for (Subtree& subtree : this->Subtrees)
     {
@@ -487,12 +467,10 @@ private:
     }
     this->Tree.brickLists.insert(
       this->Tree.brickLists.end(), tree.brickLists.begin(), tree.brickLists.end());
-    this->Tree.finestCells.insert(
-      this->Tree.finestCells.end(), tree.finestCells.begin(), tree.finestCells.end());
   }
 
   Given Of;
-  Watch Watched;
+  SharedProgress Watched;
   RegionTree Tree;
   std::vector<Subtree> Subtrees; // in the order of their leaves
 };

@@ -16,10 +16,10 @@ struct RegionTree
   glm::ivec3 size; // half cells
   std::vector<layout::Region> regions; // in the order of the tree's leaves
   std::vector<std::uint32_t> brickLists;
-  std::vector<layout::KdNode> nodes; // the root first
-  /// [region]: width of the finest cells that reach into it; 0: none do. Of a part of a hierarchy
-  /// also of cells beyond the part's reach, which its lists lack.
-  std::vector<std::int64_t> finestCells;
+  /// The root first. Of a leaf `plane` is the width of the finest cells that reach into its region;
+  /// 0: none do. Of a part of a hierarchy also of cells beyond the part's reach, which its lists
+  /// lack.
+  std::vector<layout::KdNode> nodes;
 };
 
 /// How long a list of bricks may be for its node to become a region. A brick too many in a list

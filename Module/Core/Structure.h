@@ -34,8 +34,7 @@ struct Structure
     return this->bricks.capacity() * sizeof(Brick) +
       this->tree.regions.capacity() * sizeof(layout::Region) +
       this->tree.brickLists.capacity() * sizeof(std::uint32_t) +
-      this->tree.nodes.capacity() * sizeof(layout::KdNode) +
-      this->tree.finestCells.capacity() * sizeof(std::int64_t);
+      this->tree.nodes.capacity() * sizeof(layout::KdNode);
   }
 };
 

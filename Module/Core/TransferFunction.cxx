@@ -57,22 +57,6 @@ glm::dvec4 TransferFunction::evaluate(double value) const
   return glm::mix(a.color, upper->color, (value - a.value) / (upper->value - a.value));
 }
 
-bool TransferFunction::visible(const ValueRange& range) const
-{
-  if (!(range.min <= range.max))
-  {
-    return false;
-  }
-  for (const glm::dvec2& interval : this->Transparent)
-  {
-    if (range.min >= interval.x && range.max <= interval.y)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool TransferFunction::showsTheSame(const TransferFunction& other) const
 {
   return this->Transparent == other.Transparent;

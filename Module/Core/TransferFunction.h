@@ -33,7 +33,21 @@ public:
 
   /// Whether any value in [range.min, range.max] has an opacity above 0. Decided on the control
   /// points themselves.
-  bool visible(const ValueRange& range) const;
+  bool visible(const ValueRange& range) const
+  {
+    if (!(range.min <= range.max))
+    {
+      return false;
+    }
+    for (const glm::dvec2& interval : this->Transparent)
+    {
+      if (range.min >= interval.x && range.max <= interval.y)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 
   /// Whether both show the same values, so that the active regions can be kept.
   bool showsTheSame(const TransferFunction& other) const;

@@ -127,6 +127,17 @@ ValueRanges findValueRanges(const Structure& structure, const Values& values, in
       }
     }
   }
+  ranges.splits.resize(tree.nodes.size() / 2); // half of the nodes, as there is a leaf more
+  const auto rangeOf = [&](const layout::KdNode& node)
+  {
+    return (node.link & 3) == layout::KD_LEAF ? ranges.regions[node.link >> 2]
+                                              : ranges.splits[(node.link >> 2) / 2];
+  };
+  for (std::size_t i = ranges.splits.size(); i-- > 0;) // children come behind their parents
+  {
+    ranges.splits[i] = rangeOf(tree.nodes[2 * i + 1]);
+    ranges.splits[i].add(rangeOf(tree.nodes[2 * i + 2]));
+  }
   return ranges;
 }
 }

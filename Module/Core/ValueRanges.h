@@ -57,10 +57,14 @@ struct ValueRanges
   std::vector<ValueRange> regions;    // [region]
   std::vector<MacrocellGrid> grids;   // of regions longer than a macrocell, in ascending order
   std::vector<ValueRange> macrocells; // [MacrocellGrid::firstRange ...]
+  /// [i]: of all regions below the node of the tree whose children are nodes 2 i + 1 and 2 i + 2,
+  /// so that what shows nothing is passed by as a whole.
+  std::vector<ValueRange> splits;
 
   std::uint64_t bytes() const
   {
-    return (this->regions.capacity() + this->macrocells.capacity()) * sizeof(ValueRange) +
+    return (this->regions.capacity() + this->macrocells.capacity() + this->splits.capacity()) *
+      sizeof(ValueRange) +
       this->grids.capacity() * sizeof(MacrocellGrid);
   }
 };

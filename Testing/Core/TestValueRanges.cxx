@@ -3,6 +3,7 @@
 #include "Core/Structures.h"
 #include "Core/ValueRanges.h"
 
+#include <functional>
 #include <gtest/gtest.h>
 
 using namespace exabricks;
@@ -88,6 +89,36 @@ TEST(ValueRanges, OfMacrocellsAreThoseOfTheCellsWhoseTentsReachIntoThem)
     }
   }
   EXPECT_GT(cut, 100u);
+}
+
+TEST(ValueRanges, OfSplitsAreThoseOfAllRegionsBelow)
+{
+  std::size_t splits = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Built built = buildRandom(seed);
+    const ValueRanges ranges = findValueRanges(*built.structure, built.gather());
+    const std::vector<layout::KdNode>& nodes = built.tree().nodes;
+    const std::function<ValueRange(const layout::KdNode&)> rangeBelow =
+      [&](const layout::KdNode& node)
+    {
+      const std::uint32_t index = node.link >> 2;
+      if ((node.link & 3) == layout::KD_LEAF)
+      {
+        return ranges.regions[index];
+      }
+      ValueRange range = rangeBelow(nodes[index]);
+      range.add(rangeBelow(nodes[index + 1]));
+      EXPECT_EQ(ranges.splits[index / 2].min, range.min);
+      EXPECT_EQ(ranges.splits[index / 2].max, range.max);
+      ++splits;
+      return range;
+    };
+    rangeBelow(nodes.front());
+    ASSERT_EQ(ranges.splits.size(), ranges.regions.size() - 1);
+  }
+  EXPECT_GT(splits, 1000u);
 }
 
 TEST(ValueRanges, AreEmptyWhereAllCellsAreAbsent)
