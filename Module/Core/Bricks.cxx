@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Bricks.h"
 
+#include "Core/FirstException.h"
+#include "Core/SharedProgress.h"
+
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 namespace exabricks
 {
@@ -14,42 +19,32 @@ struct Plane
   std::int64_t position = 0;
 };
 
+// The bricks of one node, by one thread.
 class Builder
 {
 public:
   Builder(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth, int maximumCells,
-    const Progress& progress)
+    SharedProgress& progress)
     : Leaves(leaves)
     , CellWidth(cellWidth)
-    , MaximumCells(std::clamp(maximumCells, 1, MaximumBrickCells))
-    , Report(progress)
+    , MaximumCells(maximumCells)
+    , Watched(progress)
     , Area(cellWidth.size())
     , Straddling(cellWidth.size())
   {
   }
 
-  std::vector<Brick> build()
+  /// What a node is cut into, with the leaf boxes that reach into each half.
+  struct Halves
   {
-    std::vector<int> all(this->Leaves.boxes.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      all[i] = static_cast<int>(i);
-    }
-    this->BuildNode(this->Leaves.bounds, all);
-    if (this->Aborted)
-    {
-      this->Bricks.clear();
-    }
-    return std::move(this->Bricks);
-  }
+    std::pair<Box, Box> boxes;
+    std::vector<int> lower;
+    std::vector<int> upper;
+  };
 
-private:
-  void BuildNode(const Box& box, const std::vector<int>& leaves)
+  /// Nothing, if the node is of one level and has become bricks.
+  std::optional<Halves> divide(const Box& box, const std::vector<int>& leaves)
   {
-    if (leaves.empty() || this->Aborted)
-    {
-      return;
-    }
     LatticeVolume volume;
     const int level = this->Leaves.boxes[leaves.front()].level;
     bool oneLevel = true;
@@ -61,28 +56,41 @@ private:
     if (oneLevel && volume == box.volume())
     {
       this->AddBricks(box, level);
-      return;
+      return {};
     }
-
     const Plane plane = this->ChoosePlane(box, leaves);
-    const auto parts = split(box, plane.axis, plane.position);
-    std::vector<int> lower, upper;
+    Halves halves{ split(box, plane.axis, plane.position), {}, {} };
     for (const int leaf : leaves)
     {
       const Box& part = this->Leaves.boxes[leaf].box;
       if (part.lo[plane.axis] < plane.position)
       {
-        lower.push_back(leaf);
+        halves.lower.push_back(leaf);
       }
       if (part.hi[plane.axis] > plane.position)
       {
-        upper.push_back(leaf);
+        halves.upper.push_back(leaf);
       }
     }
-    this->BuildNode(parts.first, lower);
-    this->BuildNode(parts.second, upper);
+    return halves;
   }
 
+  void buildNode(const Box& box, const std::vector<int>& leaves)
+  {
+    if (leaves.empty() || this->Watched.aborted())
+    {
+      return;
+    }
+    if (const std::optional<Halves> halves = this->divide(box, leaves))
+    {
+      this->buildNode(halves->boxes.first, halves->lower);
+      this->buildNode(halves->boxes.second, halves->upper);
+    }
+  }
+
+  std::vector<Brick> take() { return std::move(this->Bricks); }
+
+private:
   // A box of one level is cut into equal bricks, along each axis as many as the limit asks for.
   void AddBricks(const Box& box, int level)
   {
@@ -103,15 +111,10 @@ private:
           brick.lo = box.lo + first * width;
           brick.cells = glm::ivec3(last - first);
           brick.level = level;
-          this->Cells += brick.numberOfCells();
           this->Bricks.push_back(brick);
+          this->Watched.pass(static_cast<double>(brick.numberOfCells()) / this->Leaves.cells);
         }
       }
-    }
-    if (this->Report && this->Bricks.size() >= this->NextReport)
-    {
-      this->NextReport = this->Bricks.size() + 1024;
-      this->Aborted = !this->Report(static_cast<double>(this->Cells) / this->Leaves.cells);
     }
   }
 
@@ -231,21 +234,89 @@ private:
   const LeafBoxes& Leaves;
   const std::vector<std::int64_t>& CellWidth;
   const int MaximumCells;
-  const Progress& Report;
+  SharedProgress& Watched;
   std::vector<Brick> Bricks;
-  std::uint64_t Cells = 0; // of the bricks so far
-  std::size_t NextReport = 1024;
-  bool Aborted = false;
   // Scratch of ChoosePlane.
   std::vector<Face> Faces;
   std::vector<double> Area;
   std::vector<int> Straddling; // [level], leaf boxes on both sides of the plane
+};
+
+// The halves of large nodes are built at once. What comes of it does not depend on the number of
+// threads: bricks are in the order of the halves.
+class ParallelBuilder
+{
+public:
+  ParallelBuilder(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth,
+    int maximumCells, const Progress& progress)
+    : Leaves(leaves)
+    , CellWidth(cellWidth)
+    , MaximumCells(std::clamp(maximumCells, 1, MaximumBrickCells))
+    , Watched(progress)
+  {
+  }
+
+  std::vector<Brick> build()
+  {
+    std::vector<int> all(this->Leaves.boxes.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<Brick> bricks;
+    // Other threads take tasks where the region ends.
+#pragma omp parallel if (all.size() > WorthIt)
+#pragma omp master
+    this->Build(this->Leaves.bounds, all, bricks);
+    this->Failure.rethrow();
+    if (this->Watched.aborted())
+    {
+      bricks.clear();
+    }
+    return bricks;
+  }
+
+private:
+  // Nodes of fewer leaf boxes are built by one thread.
+  static constexpr std::size_t WorthIt = 1024;
+
+  void Build(const Box& box, const std::vector<int>& leaves, std::vector<Brick>& bricks)
+  {
+    std::optional<Builder::Halves> halves;
+    this->Failure.guard(
+      [&]
+      {
+        Builder builder(this->Leaves, this->CellWidth, this->MaximumCells, this->Watched);
+        if (leaves.size() > WorthIt && !this->Watched.aborted())
+        {
+          halves = builder.divide(box, leaves);
+        }
+        else
+        {
+          builder.buildNode(box, leaves);
+        }
+        bricks = builder.take();
+      });
+    if (!halves)
+    {
+      return;
+    }
+    std::vector<Brick> upper;
+#pragma omp task shared(upper, halves)
+    this->Build(halves->boxes.second, halves->upper, upper);
+    this->Build(halves->boxes.first, halves->lower, bricks);
+#pragma omp taskwait
+    this->Failure.guard([&] { bricks.insert(bricks.end(), upper.begin(), upper.end()); });
+  }
+
+  const LeafBoxes& Leaves;
+  const std::vector<std::int64_t>& CellWidth;
+  const int MaximumCells;
+  SharedProgress Watched;
+  FirstException Failure;
 };
 }
 
 std::vector<Brick> buildBricks(const LeafBoxes& leaves, const std::vector<std::int64_t>& cellWidth,
   int maximumCells, const Progress& progress)
 {
-  return Builder(leaves, cellWidth, maximumCells, progress).build();
+  return ParallelBuilder(leaves, cellWidth, maximumCells, progress).build();
 }
 }

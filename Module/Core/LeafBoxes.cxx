@@ -2,6 +2,8 @@
 #include "Core/LeafBoxes.h"
 
 #include "Core/BlockIndex.h"
+#include "Core/FirstException.h"
+#include "Core/SharedProgress.h"
 
 #include <cstdlib>
 
@@ -143,61 +145,112 @@ void subtract(const Box& box, const std::vector<Box>& cutters, std::vector<Box>&
   subtract(parts.second, inside, rest);
 }
 
-LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress)
+namespace
 {
-  const BlockIndex index(hierarchy);
-
-  LeafBoxes leaves;
-  auto keep = [&](int level, const Box& box)
+// What is left of the blocks from one on, in their order.
+class LeafFinder
+{
+public:
+  LeafFinder(const Hierarchy& hierarchy, const BlockIndex& index)
+    : Of(hierarchy)
+    , Index(index)
   {
-    const Int3 n = box.size() / hierarchy.cellWidth[level];
-    leaves.boxes.push_back({ level, box });
-    leaves.bounds = unite(leaves.bounds, box);
-    leaves.cells += static_cast<std::uint64_t>(n.x) * n.y * n.z;
-  };
+  }
 
-  std::vector<Box> earlier;
-  for (std::size_t b = 0; b < hierarchy.blocks.size(); ++b)
+  void add(std::size_t b)
   {
-    if (progress && b % 256 == 0 &&
-      !progress(static_cast<double>(b) / static_cast<double>(hierarchy.blocks.size())))
-    {
-      return {};
-    }
-    const Block& block = hierarchy.blocks[b];
-    const Box box = hierarchy.logicalBox(block);
-    VisiblePart part(box, hierarchy.cellWidth[block.level]);
-    earlier.clear();
-    index.boxes[block.level].forEachIntersecting(box,
+    const Block& block = this->Of.blocks[b];
+    const Box box = this->Of.logicalBox(block);
+    const BoxIndex& sameLevel = this->Index.boxes[block.level];
+    VisiblePart part(box, this->Of.cellWidth[block.level]);
+    this->Earlier.clear();
+    sameLevel.forEachIntersecting(box,
       [&](int i)
       {
-        if (index.blocks[block.level][i] < static_cast<int>(b))
+        if (this->Index.blocks[block.level][i] < static_cast<int>(b))
         {
-          earlier.push_back(index.boxes[block.level].box(i));
+          this->Earlier.push_back(sameLevel.box(i));
         }
       });
-    if (!earlier.empty())
+    if (!this->Earlier.empty())
     {
-      part.giveWayTo(earlier);
+      part.giveWayTo(this->Earlier);
     }
-    for (int finer = block.level + 1; finer < hierarchy.levels(); ++finer)
+    for (int finer = block.level + 1; finer < this->Of.levels(); ++finer)
     {
-      part.cover(index.boxes[finer]);
+      part.cover(this->Index.boxes[finer]);
     }
     for (const Box& whole : part.whole())
     {
-      keep(block.level, whole);
+      this->Keep(block.level, whole);
     }
     for (const Box& piece : part.pieces())
     {
       int level = block.level;
-      while (!alignedTo(piece, hierarchy.cellWidth[level]))
+      while (!alignedTo(piece, this->Of.cellWidth[level]))
       {
         ++level;
       }
-      keep(level, piece);
-      ++leaves.partlyCoveredBoxes;
+      this->Keep(level, piece);
+      ++this->Found.partlyCoveredBoxes;
     }
+  }
+
+  const LeafBoxes& found() const { return this->Found; }
+
+private:
+  void Keep(int level, const Box& box)
+  {
+    const Int3 n = box.size() / this->Of.cellWidth[level];
+    this->Found.boxes.push_back({ level, box });
+    this->Found.bounds = unite(this->Found.bounds, box);
+    this->Found.cells += static_cast<std::uint64_t>(n.x) * n.y * n.z;
+  }
+
+  const Hierarchy& Of;
+  const BlockIndex& Index;
+  LeafBoxes Found;
+  std::vector<Box> Earlier;
+};
+}
+
+LeafBoxes findLeafBoxes(const Hierarchy& hierarchy, const Progress& progress)
+{
+  constexpr std::size_t blocksAtOnce = 256;
+  const BlockIndex index(hierarchy);
+  const std::size_t blocks = hierarchy.blocks.size();
+  const std::size_t count = (blocks + blocksAtOnce - 1) / blocksAtOnce;
+  std::vector<LeafFinder> finders(count, LeafFinder(hierarchy, index));
+  SharedProgress shared(progress);
+  FirstException failure;
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
+  {
+    failure.guard(
+      [&]
+      {
+        const std::size_t first = static_cast<std::size_t>(i) * blocksAtOnce;
+        const std::size_t last = std::min(first + blocksAtOnce, blocks);
+        for (std::size_t b = first; b < last && !shared.aborted(); ++b)
+        {
+          finders[static_cast<std::size_t>(i)].add(b);
+        }
+        shared.pass(static_cast<double>(last - first) / static_cast<double>(blocks));
+      });
+  }
+  failure.rethrow();
+  LeafBoxes leaves;
+  if (shared.aborted())
+  {
+    return leaves;
+  }
+  for (const LeafFinder& finder : finders)
+  {
+    const LeafBoxes& found = finder.found();
+    leaves.boxes.insert(leaves.boxes.end(), found.boxes.begin(), found.boxes.end());
+    leaves.bounds = unite(leaves.bounds, found.bounds);
+    leaves.cells += found.cells;
+    leaves.partlyCoveredBoxes += found.partlyCoveredBoxes;
   }
   return leaves;
 }
