@@ -345,7 +345,10 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
     limits.cells.resize(
       std::min(limits.cells.size(), 1 + static_cast<std::size_t>(std::min(wanted, ready))));
   }
-  return this->Interactive.choose(seconds, pixels, limits);
+  const exabricks::Coarseness chosen = this->Interactive.choose(seconds, pixels, limits);
+  // What brings levels to the device is done in the same time.
+  const double update = this->Renderer.secondsToUpdate(chosen.levelsLeftOut);
+  return update > 0.0 ? this->Interactive.choose(seconds - update, pixels, limits) : chosen;
 }
 
 // [levels left out] of the largest of the finest cells in a picture, pixels along a side; infinite

@@ -108,6 +108,21 @@ LevelsOfDetail::Level* LevelsOfDetail::findCoarser(
   return nullptr;
 }
 
+double LevelsOfDetail::secondsToUpdate(int levelsLeftOut) const
+{
+  const auto index = static_cast<std::size_t>(levelsLeftOut);
+  if (index >= this->Levels.size() || !this->Levels[index].volume.values)
+  {
+    return 0.0;
+  }
+  const auto bytesOf = [](const Volume& volume)
+  { return static_cast<double>(volume.structure->bytes() + volume.values->bytes()); };
+  const Level& level = this->Levels[index];
+  const double seconds = (level.onDevice && level.valuesOnDevice ? 0.0 : this->UploadTime) +
+    (level.activeOnDevice ? 0.0 : this->SelectionTime);
+  return seconds > 0.0 ? seconds * bytesOf(level.volume) / bytesOf(this->volume()) : 0.0;
+}
+
 ActiveRegions LevelsOfDetail::select(const Volume& volume, const Selection& selection)
 {
   std::vector<const TransferFunction*> shown;

@@ -59,6 +59,10 @@ public:
   /// How many levels may be left out of what was made so far, on the host.
   int ready();
 
+  /// About how many seconds it will take to bring the volume without so many levels, which is
+  /// ready, up to date on the device.
+  double secondsToUpdate(int levelsLeftOut) const;
+
   static ActiveRegions select(const Volume& volume, const Selection& selection);
   /// Other colours or opacities cast other shadows.
   void dropShadows();

@@ -63,6 +63,11 @@ int VolumeRenderer::makeCoarserAhead(int levelsLeftOut)
   return this->Data->Levels.ready();
 }
 
+double VolumeRenderer::secondsToUpdate(int levelsLeftOut) const
+{
+  return this->Data->Levels.secondsToUpdate(levelsLeftOut);
+}
+
 void VolumeRenderer::setTransferFunction(const TransferFunction& transfer)
 {
   this->Data->Session.forget();

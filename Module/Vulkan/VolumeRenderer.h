@@ -61,6 +61,9 @@ public:
   /// Starts to make the volume without up to so many levels, on a thread of its own, and tells how
   /// many may be left out of what was made so far.
   int makeCoarserAhead(int levelsLeftOut);
+  /// About how many seconds more than others the next picture without so many levels takes, as they
+  /// are not on the device yet.
+  double secondsToUpdate(int levelsLeftOut) const;
 
   /// Called between the pieces of a picture, about each 30 ms, with the part of it that is done, in
   /// [0, 1]; false: give it up.

@@ -3,7 +3,9 @@
 // other boxes all of it. And a picture can be given up on its way.
 #include "SceneRenderer.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
+#include <thread>
 
 using namespace exabricks;
 
@@ -90,6 +92,27 @@ TEST(ChangesCost, ValuesAloneAlsoWhereAnErrorIsAskedFor)
   subject.render(view);
   subject.renderer.setVolume({ subject.plain.structure, next });
   EXPECT_EQ(largestDifference(subject.render(view), drawAnew(subject, next, view)), 0.0);
+}
+
+// What a picture while something moves has to leave time for.
+TEST(ChangesCost, WhatIsSaidBeforeForALevelThatIsMadeAhead)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  subject.levelsLeftOut = 0;
+  subject.render(view);
+  EXPECT_EQ(subject.renderer.secondsToUpdate(0), 0.0);
+  EXPECT_EQ(subject.renderer.secondsToUpdate(1), 0.0); // nobody has made it
+  while (subject.renderer.makeCoarserAhead(1) < 1)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const double whole = subject.renderer.statistics().uploadTime;
+  EXPECT_GT(subject.renderer.secondsToUpdate(1), 0.0);
+  EXPECT_LT(subject.renderer.secondsToUpdate(1), 2.0 * whole + 0.1);
+  subject.levelsLeftOut = 1;
+  subject.render(view);
+  EXPECT_EQ(subject.renderer.secondsToUpdate(1), 0.0);
 }
 
 TEST(ChangesCost, NoStructureForCompletedLevels)
