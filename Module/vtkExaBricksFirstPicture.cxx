@@ -5,6 +5,7 @@
 #include "Adapters/ColorMaps.h"
 #include "Adapters/CoveredCells.h"
 #include "Adapters/Logarithm.h"
+#include "Adapters/PropertyInput.h"
 #include "Core/FirstPicture.h"
 #include "Core/LowerCase.h"
 #include "vtkExaBricksData.h"
@@ -40,8 +41,8 @@ bool vtkExaBricksFirstPicture::Choose(vtkExaBricksData* data)
       << ". Update the mapper or builder first, and choose an array with values.");
     return false;
   }
-  const exabricks::FirstPicture chosen =
-    exabricks::chooseFirstPicture(bricked->volume, bricked->spacing, this->Logarithmic);
+  const exabricks::FirstPicture chosen = exabricks::chooseFirstPicture(
+    bricked->volume, bricked->spacing, this->Logarithmic, exabricks::toBlending(this->BlendMode));
   this->LogarithmWanted = !this->Logarithmic && exabricks::wantsLogarithm(*bricked->volume.values);
   this->ColorRange[0] = chosen.colors.min;
   this->ColorRange[1] = chosen.colors.max;
@@ -206,6 +207,7 @@ void vtkExaBricksFirstPicture::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Logarithmic: " << this->Logarithmic << "\n";
   os << indent << "LogarithmWanted: " << this->LogarithmWanted << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "ColorMap: " << this->ColorMap << "\n";
   os << indent << "ColorRange: " << this->ColorRange[0] << " " << this->ColorRange[1] << "\n";
   os << indent << "ScalarOpacityUnitDistance: " << this->ScalarOpacityUnitDistance << "\n";

@@ -28,6 +28,7 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingVolumeExaBricksModule.h" // for the export macro
+#include "vtkVolumeMapper.h"                   // for its blend modes
 
 #include <string> // for names
 
@@ -53,6 +54,17 @@ public:
   vtkSetMacro(Logarithmic, bool);
   vtkGetMacro(Logarithmic, bool);
   vtkBooleanMacro(Logarithmic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The way of blending that the picture is for, of vtkVolumeMapper::BlendModes. Default
+   * COMPOSITE_BLEND. Of the greatest value opacity rises along the range; all others show all
+   * values as they are, and all of the bounds but for iso-surfaces. For ADDITIVE_BLEND the unit
+   * distance is the length by which sums become bright.
+   */
+  vtkSetMacro(BlendMode, int);
+  vtkGetMacro(BlendMode, int);
   ///@}
 
   /// Chooses by the first component of `data`. False, with an error, if it has no cell with a
@@ -127,6 +139,7 @@ protected:
 
   bool Logarithmic = false;
   bool LogarithmWanted = false;
+  int BlendMode = vtkVolumeMapper::COMPOSITE_BLEND;
   double ColorRange[2] = { 0.0, 1.0 };
   double ScalarOpacityUnitDistance = 1.0;
   double ShownBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };

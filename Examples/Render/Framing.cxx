@@ -17,6 +17,8 @@ namespace render
 namespace
 {
 
+constexpr double RoomForLabels = 0.15; // on each side, of the bounds
+
 // From the data towards the camera.
 Vector3 directionOf(const std::string& view)
 {
@@ -86,8 +88,17 @@ void placeCamera(const Options& options, const double bounds[6], vtkCamera* came
   camera->SetPosition(away);
   camera->SetViewUp(axes.Up.data());
   camera->SetViewAngle(options.ViewAngle);
+  // Labels of axes stand around the bounds.
+  const double room = options.Annotate ? RoomForLabels : 0.0;
+  double fitted[6];
+  for (int a = 0; a < 3; ++a)
+  {
+    const double more = room * (bounds[2 * a + 1] - bounds[2 * a]);
+    fitted[2 * a] = bounds[2 * a] - more;
+    fitted[2 * a + 1] = bounds[2 * a + 1] + more;
+  }
   vtkExaBricksFirstPicture::FitCamera(
-    camera, bounds, static_cast<double>(options.Size[0]) / options.Size[1]);
+    camera, fitted, static_cast<double>(options.Size[0]) / options.Size[1]);
   if (options.Position)
   {
     camera->SetPosition(options.Position->data());

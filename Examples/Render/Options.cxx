@@ -222,7 +222,10 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->group(look);
   app.add_flag("--annotate", o.Annotate, "Draw axes around the data, and a scalar bar")
     ->group(look);
-  app.add_flag("--shade", o.Shaded, "Light the volume from the camera")->group(look);
+  app
+    .add_flag("--shade,!--no-shade", o.Shaded,
+      "Light the volume from the camera, or not [iso-surfaces alone]")
+    ->group(look);
 
   const std::string method = "Method";
   app
@@ -587,6 +590,10 @@ bool parseOptions(int argc, char** argv, Options& options)
   if (!options.Scene.empty())
   {
     dropFromScene(app, before, options);
+  }
+  if (app.count("--blend-mode") > 0 && app.count("--shade") == 0)
+  {
+    options.Shaded = options.Shaded || options.BlendMode == "isosurface"; // else it is a silhouette
   }
   checkTogether(options, app.count("--view") > 0, app.count("--step-scale") > 0,
     app.count("--fps") > 0, app.count("--background") > 0);

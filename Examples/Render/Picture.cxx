@@ -204,6 +204,7 @@ void Picture::Prepare()
   }
 
   this->Chosen->SetLogarithmic(this->Asked.Log);
+  this->Chosen->SetBlendMode(this->VolumeMapper->GetBlendMode());
   this->Chosen->Choose(data);
   this->Chosen->GetColorRange(this->ColorRange);
   this->OpacityUnit = this->Asked.OpacityUnit > 0.0 ? this->Asked.OpacityUnit
@@ -226,24 +227,22 @@ void Picture::Prepare()
   this->Ren->ResetCameraClippingRange(bounds);
 }
 
-// What shows with opacities of one's own is not known, and of a slice all does.
-bool Picture::ShowsAsChosen() const { return this->Asked.Opacity.empty() && !this->Asked.Slice; }
+// What shows with opacities of one's own is not known.
+bool Picture::ShowsAsChosen() const { return this->Asked.Opacity.empty(); }
 
 void Picture::ChooseOpacity()
 {
   this->Opacity = this->Asked.Opacity;
-  if (this->Opacity.empty() && this->Asked.Slice)
-  {
-    this->Opacity = { { this->ColorRange[0], 1.0 }, { this->ColorRange[1], 1.0 } };
-  }
-  else if (this->Opacity.empty())
+  if (this->Opacity.empty())
   {
     vtkPiecewiseFunction* chosen = this->Chosen->GetScalarOpacity();
     for (int i = 0; i < chosen->GetSize(); ++i)
     {
       double node[4];
       chosen->GetNodeValue(i, node);
-      this->Opacity.push_back({ node[0], node[1] });
+      // Of several surfaces those behind show through.
+      const bool hides = this->Asked.IsoValues.size() > 1;
+      this->Opacity.push_back({ node[0], hides ? 0.5 * node[1] : node[1] });
     }
   }
   else if (this->Asked.Log)

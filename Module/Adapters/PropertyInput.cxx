@@ -215,9 +215,11 @@ Requests checkTransparency(
   return { {}, { text.str() } };
 }
 
-Blending findBlending(vtkVolumeMapper* mapper)
+Blending findBlending(vtkVolumeMapper* mapper) { return toBlending(mapper->GetBlendMode()); }
+
+Blending toBlending(int mode)
 {
-  switch (mapper->GetBlendMode())
+  switch (mode)
   {
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
       return Blending::Maximum;

@@ -64,6 +64,8 @@ Requests checkTransparency(
 /// The mapper's blend mode, which checkWithoutData() has let pass, and the values of each component
 /// that count for the average.
 Blending findBlending(vtkVolumeMapper* mapper);
+/// `mode`: of vtkVolumeMapper::BlendModes; others are taken for composite.
+Blending toBlending(int mode);
 AverageRanges findAverageRanges(vtkVolumeMapper* mapper, const Volume& volume);
 /// Whether cells without a value can have the property's NaN colour, and that colour.
 bool canUseNanColor(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components);

@@ -19,6 +19,7 @@ constexpr double MostDecades = 8.0;
 constexpr double AsideShare = 0.01; // of what shows, at each end of an axis
 constexpr double Margin = 0.03;     // around what shows, of its size
 constexpr double MeanOpticalDepth = 1.2;
+constexpr double MeanBrightness = 0.25;   // of sums along a ray
 constexpr double LargestExtinction = 5.0; // of the unit distance: opacity 0.993
 constexpr double SmallestExtinction = 0.02;
 
@@ -200,7 +201,37 @@ bool wantsLogarithm(const Values& values)
   return static_cast<double>(small) >= 0.9 * static_cast<double>(all);
 }
 
-FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing, bool logarithmic)
+namespace
+{
+// Opacities that make a ray of a mean length through what shows absorb so much.
+std::vector<OpacityPoint> makeOpacity(
+  const Range& colors, const Interest& interest, double extinction)
+{
+  std::vector<OpacityPoint> opacity;
+  const std::vector<double>& points = interest.points;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    // Between equal neighbours a point says nothing.
+    if (p > 0 && p + 1 < points.size() && points[p] == points[p - 1] && points[p] == points[p + 1])
+    {
+      continue;
+    }
+    const double part = static_cast<double>(p) / static_cast<double>(points.size() - 1);
+    const double value = (1.0 - part) * colors.min + part * colors.max;
+    opacity.push_back({ value, 1.0 - std::exp(-extinction * points[p]) });
+  }
+  return opacity;
+}
+
+// Whether the part in which rare values are is looked at, or all that there is.
+bool framesWhatShows(Blending blending)
+{
+  return blending == Blending::Composite || blending == Blending::Isosurface;
+}
+}
+
+FirstPicture chooseFirstPicture(
+  const Volume& volume, const glm::dvec3& spacing, bool logarithmic, Blending blending)
 {
   FirstPicture picture;
   picture.colors = volume.values->range;
@@ -214,7 +245,7 @@ FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing,
   }
   const Interest interest = chooseInterest(makeHistogram(*volume.values, toPlace), !logarithmic);
   picture.hi = glm::dvec3(volume.structure->tree.size);
-  if (!toPlace.constant)
+  if (!toPlace.constant && framesWhatShows(blending))
   {
     const Profiles profiles = makeProfiles(volume, interest, toPlace);
     for (int axis = 0; axis < 3; ++axis)
@@ -227,28 +258,29 @@ FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing,
   const glm::dvec3 shown = 0.5 * spacing * (picture.hi - picture.lo);
   picture.unitDistance = 0.01 * glm::length(shown);
   // The mean of a convex body is four times its volume by its surface (Cauchy).
-  const double meanPath =
-    2.0 / (1.0 / shown.x + 1.0 / shown.y + 1.0 / shown.z) / picture.unitDistance;
+  const double meanPath = 2.0 / (1.0 / shown.x + 1.0 / shown.y + 1.0 / shown.z);
+  if (blending != Blending::Composite)
+  {
+    const double least = blending == Blending::Maximum && !toPlace.constant ? 0.0 : 1.0;
+    picture.opacity = { { picture.colors.min, least }, { picture.colors.max, 1.0 } };
+    if (blending == Blending::Additive)
+    {
+      const double mean =
+        meanInterest(volume, Interest{ { 0.0, 1.0 } }, Mapping(), picture.lo, picture.hi);
+      picture.unitDistance = mean > 0.0 ? mean * meanPath / MeanBrightness : picture.unitDistance;
+    }
+    return picture;
+  }
+  const double units = meanPath / picture.unitDistance;
   if (toPlace.constant)
   {
-    picture.opacity = { { picture.colors.min, 1.0 - std::exp(-MeanOpticalDepth / meanPath) } };
+    picture.opacity = { { picture.colors.min, 1.0 - std::exp(-MeanOpticalDepth / units) } };
     return picture;
   }
   const double mean = meanInterest(volume, interest, toPlace, picture.lo, picture.hi);
   const double extinction = std::clamp(
-    MeanOpticalDepth / (meanPath * std::max(mean, 1e-12)), SmallestExtinction, LargestExtinction);
-  const std::vector<double>& points = interest.points;
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    // Between equal neighbours a point says nothing.
-    if (p > 0 && p + 1 < points.size() && points[p] == points[p - 1] && points[p] == points[p + 1])
-    {
-      continue;
-    }
-    const double part = static_cast<double>(p) / static_cast<double>(points.size() - 1);
-    const double value = (1.0 - part) * picture.colors.min + part * picture.colors.max;
-    picture.opacity.push_back({ value, 1.0 - std::exp(-extinction * points[p]) });
-  }
+    MeanOpticalDepth / (units * std::max(mean, 1e-12)), SmallestExtinction, LargestExtinction);
+  picture.opacity = makeOpacity(picture.colors, interest, extinction);
   return picture;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ExaBricksCoreFirstPicture_h
 #define ExaBricksCoreFirstPicture_h
 
+#include "Core/Blending.h"
 #include "Core/Volume.h"
 
 namespace exabricks
@@ -30,10 +31,15 @@ bool wantsLogarithm(const Values& values);
 /// Of the first component. `logarithmic`: its values are logarithms to the base of 10; of those no
 /// more than eight decades show. `spacing`: size of a finest cell in the data's own coordinates.
 ///
-/// Opacities are those of chooseInterest(). The unit distance is a hundredth of the diagonal of the
-/// part that holds all but a fiftieth of what shows, along each axis; opacities are as high as dims
-/// a ray of average length through that part to about a third.
-FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing, bool logarithmic);
+/// Opacities of Blending::Composite are those of chooseInterest(). The unit distance is a hundredth
+/// of the diagonal of the part that holds all but a fiftieth of what shows, along each axis;
+/// opacities are as high as dims a ray of average length through that part to about a third.
+///
+/// Of the greatest value opacity rises along the range of colours. All other ways of blending show
+/// all values as they are, in all of the bounds but for iso-surfaces; for sums along the ray the
+/// unit distance is a length that makes a ray of average length as bright as a quarter.
+FirstPicture chooseFirstPicture(const Volume& volume, const glm::dvec3& spacing, bool logarithmic,
+  Blending blending = Blending::Composite);
 }
 
 #endif

@@ -430,6 +430,7 @@ class RenderProgramTest(unittest.TestCase):
             ["--array", "magvort", "--view", "+y", "--color-map", "inferno", "--shade", "--levels", "2"],
             ["--array", "magvort", "--log", "--parallel", "--zoom", "1.5", "--step-scale", "2"],
             ["--blend-mode", "isosurface", "--iso", "1.2,1.8"],
+            ["--blend-mode", "isosurface", "--iso", "1.5", "--no-shade"],
             ["--blend-mode", "maximum", "--error-tolerance", "0.02"],
             ["--blend-mode", "slice", "--slice", "0.5,0.5,0.9", "0,0.2,1"],
         ):

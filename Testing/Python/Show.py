@@ -42,6 +42,15 @@ coarse = exabricks.VolumeScene(DATA, "magvort", levels=1)
 assert coarse.data.GetNumberOfLeafCells() == 24 * 24 * 48
 assert exabricks.VolumeScene(DATA, "magvort", log=True).log
 
+# Opacities that were chosen are chosen anew for another way of blending, and those that somebody set stay.
+scene.blend_mode = "maximum"
+low, high = scene.color_range
+assert scene.opacity == [(low, 0.0), (high, 1.0)], scene.opacity
+scene.opacity = [(low, 0.5), (high, 0.25)]
+scene.blend_mode = "average"
+assert scene.opacity == [(low, 0.5), (high, 0.25)], scene.opacity
+scene.blend_mode = "composite"
+
 # What does not fit is said.
 for wrong, words in (
     (lambda: exabricks.show("no-such.vthb"), (exabricks.ReadError, "no-such.vthb")),
@@ -51,6 +60,7 @@ for wrong, words in (
     (lambda: exabricks.show(amr, "density", color_map="rainbow"), (ValueError, "viridis")),
     (lambda: exabricks.show(amr, levels=1), (ValueError, "SetLevelRange")),
     (lambda: exabricks.show(scene, "density"), (ValueError, "set_array")),
+    (lambda: setattr(scene, "blend_mode", "mip"), (ValueError, "maximum")),
 ):
     try:
         wrong()

@@ -168,6 +168,7 @@ class VolumeScene:
         self._take(self._load(os.fspath(path), self.array, self.component))
         self._select(self.log)
         self.mapper.Update()
+        self.first.SetBlendMode(self.mapper.GetBlendMode())
         self.first.Choose(self.data)
         self.renderer.ResetCameraClippingRange()
 
@@ -198,11 +199,13 @@ class VolumeScene:
     def choose(self):
         """Chooses colors and opacities from the data. Raises ValueError where no cell has a value."""
         self.mapper.Update()
+        self.first.SetBlendMode(self.mapper.GetBlendMode())
         data = self.data
         if data.GetNumberOfLeafCells() <= data.GetNumberOfAbsentCells() or not self.first.Choose(data):
             raise ValueError(f"expected cells with values of {self.array!r}, found none"
                              + (" above zero: draw it without logarithms" if self.log else ""))
         self.first.InitializeProperty(self.volume_property)
+        self._chosen_opacity = self._opacity_and_unit()
         self._spread_preset(self.first.GetColorRange())
 
     def set_color_map(self, name):
@@ -249,6 +252,21 @@ class VolumeScene:
     def blend_mode(self):
         """A name in BLEND_MODES."""
         return next(name for name, mode in BLEND_MODES.items() if mode == self.mapper.GetBlendMode())
+
+    @blend_mode.setter
+    def blend_mode(self, name):
+        """Opacities that were chosen, and that nobody has changed since, give way to those chosen for the mode."""
+        if name not in BLEND_MODES:
+            raise ValueError(f"expected a blend mode of {', '.join(BLEND_MODES)}, found {name!r}")
+        self.mapper.SetBlendMode(BLEND_MODES[name])
+        self.first.SetBlendMode(BLEND_MODES[name])
+        if self._opacity_and_unit() == self._chosen_opacity and self.first.Choose(self.data):
+            self.volume_property.GetScalarOpacity().DeepCopy(self.first.GetScalarOpacity())
+            self.volume_property.SetScalarOpacityUnitDistance(self.first.GetScalarOpacityUnitDistance())
+            self._chosen_opacity = self._opacity_and_unit()
+
+    def _opacity_and_unit(self):
+        return self.opacity, self.volume_property.GetScalarOpacityUnitDistance()
 
     @property
     def color_range(self):

@@ -29,7 +29,7 @@ from .display import has_display
 from .editor import TransferFunctionEditor
 from .reading import ReadError
 from .scene import BLEND_MODES, VolumeScene, color_map_names, grab
-from .vtkRenderingVolumeExaBricks import vtkExaBricksPicker, vtkExaBricksVolumeMapper
+from .vtkRenderingVolumeExaBricks import vtkExaBricksPicker
 
 EDITOR_HEIGHT = 0.28  # of the window
 
@@ -341,12 +341,13 @@ class Viewer:
         self.say(self.scene.color_map)
 
     def _key_b(self):
-        mode = BLEND_MODES[_after(self.scene.blend_mode, BLEND_MODES)]
-        if mode == vtkExaBricksVolumeMapper.ISOSURFACE_BLEND and not self.scene.iso_values:
+        mode = _after(self.scene.blend_mode, BLEND_MODES)
+        if mode == "isosurface" and not self.scene.iso_values:
             low, high = self.scene.color_range
             self.scene.set_iso_values([0.5 * (low + high)])
-        self.scene.mapper.SetBlendMode(mode)
+        self.scene.blend_mode = mode
         self._follow_slice()
+        self._follow_colors()
         self.say("")
 
     def _pick(self):
