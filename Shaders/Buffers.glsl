@@ -3,6 +3,7 @@
 // Compiled twice: with HAS_INT64, 64 bits are read at once, which saves processors some per cent of
 // a picture's time; without it, the shaders run on devices that have no integers of 64 bits.
 #extension GL_EXT_buffer_reference : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 #ifdef HAS_INT64
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require

@@ -45,8 +45,21 @@ KdNode locate(KdNodes nodes, Ray ray, float distance, Accumulator gathered, inou
   return node;
 }
 
-// One flat loop: every lane takes an interval each time round, and walks the tree only when its
-// region is used up.
+// Of regions found ahead, at most. Private arrays are slow on other devices than processors.
+const uint MOST_AHEAD = takesPixels ? 8u : 1u;
+
+// A region that the ray comes to.
+struct Ahead
+{
+  uint firstBrick;
+  float step;
+  float entry;
+  float exit;
+};
+
+// One flat loop: every lane takes an interval each time round. Where a lane has no region left, all of
+// its subgroup walk the tree with it, and find several ahead: of lanes that walk each when it needs the
+// next region, a third are on at a time.
 void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
 {
   KdNodes nodes = KdNodes(f.frame.nodes);
@@ -59,37 +72,55 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
   Cursor cursor = startCursor();
   float exit = ray.begin;
   Pending pending = Pending(uvec4(0), vec4(0.0));
+  Ahead aheads[MOST_AHEAD]; // in a ring
+  uint first = 0u;
+  uint count = 0u;
   while (true)
   {
-    while (cursor.intervals == 0 && goesOn(pixel, ray, exit))
+    if (subgroupAny(cursor.intervals == 0 && count == 0u))
     {
-      if (isUsedUp(ray, exit))
+      while (count < MOST_AHEAD && goesOn(pixel, ray, exit))
       {
-        if (!advance(f, pixel, ray, exit))
+        if (isUsedUp(ray, exit))
         {
-          break;
+          // What was found before is marched in the frame that it was found in.
+          if (cursor.intervals > 0 || count > 0u || !advance(f, pixel, ray, exit))
+          {
+            break;
+          }
+          exit = ray.begin;
+          forgetPoint(cursor);
+          pending.nodes = uvec4(0);
         }
-        exit = ray.begin;
-        forgetPoint(cursor);
-        pending.nodes = uvec4(0);
-      }
-      const float entry = exit;
-      const KdNode leaf = locate(nodes, ray, entry, gathered, pending, exit);
-      if (leaf.link >> 2 != KD_NO_REGION)
-      {
-        const float step = intBitsToFloat(leaf.plane);
-        enterRegion(ray, leaf.link >> 2, step, growthOfStep(ray, step, gathered), entry,
-          exit, cursor);
+        const float entry = exit;
+        const KdNode leaf = locate(nodes, ray, entry, gathered, pending, exit);
+        if (leaf.link >> 2 != KD_NO_REGION)
+        {
+          aheads[(first + count) % MOST_AHEAD] =
+            Ahead(leaf.link >> 2, intBitsToFloat(leaf.plane), entry, exit);
+          ++count;
+        }
       }
     }
     if (cursor.intervals == 0)
     {
-      return;
+      if (count == 0u)
+      {
+        return;
+      }
+      const Ahead next = aheads[first];
+      first = (first + 1u) % MOST_AHEAD;
+      --count;
+      enterRegion(ray, next.firstBrick, next.step, growthOfStep(ray, next.step, gathered),
+        next.entry, next.exit, cursor);
     }
-    marchOn(ray, cursor, gathered);
-    if (isComplete(gathered))
+    if (cursor.intervals > 0)
     {
-      return;
+      marchOn(ray, cursor, gathered);
+      if (isComplete(gathered))
+      {
+        return;
+      }
     }
   }
 }

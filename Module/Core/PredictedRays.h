@@ -15,7 +15,7 @@ namespace exabricks
 {
 /// Distance along each axis of the rays that are marched first, pixels. The grids of every second
 /// pixel and of all of them follow.
-constexpr int FirstSpacing = 4;
+constexpr int FirstSpacing = 8;
 
 /// What predictions of the view's picture may err by, as a root mean square over the channels of
 /// its drawn pixels; 0: all pixels are marched. So are those of pictures of less than 40 000

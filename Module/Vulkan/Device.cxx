@@ -93,8 +93,14 @@ std::string lacks(const vk::raii::PhysicalDevice& device)
   const auto features =
     device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
+  const auto all =
+    device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>();
+  const auto& subgroups = all.get<vk::PhysicalDeviceSubgroupProperties>();
+  const bool votes = (subgroups.supportedOperations & vk::SubgroupFeatureFlagBits::eVote) &&
+    (subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute);
   return !v12.bufferDeviceAddress ? "bufferDeviceAddress"
     : !v12.scalarBlockLayout      ? "scalarBlockLayout"
+    : !votes                      ? "votes of subgroups"
     : !findComputeQueue(device)   ? "a queue for compute"
                                   : "";
 }
@@ -176,7 +182,8 @@ std::size_t choose(const std::vector<vk::raii::PhysicalDevice>& devices, const s
   if (best == devices.size())
   {
     const std::string expected = wanted.empty()
-      ? "expected a Vulkan 1.2 device with bufferDeviceAddress and scalarBlockLayout"
+      ? "expected a Vulkan 1.2 device with bufferDeviceAddress, scalarBlockLayout and votes of "
+        "subgroups"
       : "expected a usable Vulkan device with '" + wanted + "' as its index or in its name";
     throw Failure(expected + ", found " + describe(devices) +
       ". Choose another one by the property Device or EXABRICKS_DEVICE, or install a driver "

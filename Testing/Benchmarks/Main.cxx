@@ -4,6 +4,7 @@
 #include "BrickSizes.h"
 #include "Growth.h"
 #include "Machine.h"
+#include "MarchCounts.h"
 #include "Measure.h"
 #include "Request.h"
 
@@ -193,6 +194,20 @@ void printStructure(const Request& request)
   }
 }
 
+void printMarch(const Request& request)
+{
+  std::cout << MarchCountsHeader << std::endl;
+  for (const SceneKind& kind : chooseScenes(request))
+  {
+    const Scene scene(kind.make(request.leafCells));
+    const std::vector<double>& asked = request.plan.stepScales;
+    for (const double stepScale : asked.empty() ? std::vector<double>{ 1.0 } : asked)
+    {
+      printMarchCounts(scene, request.plan.size, stepScale);
+    }
+  }
+}
+
 void run(const Request& request)
 {
   switch (request.task)
@@ -204,6 +219,10 @@ void run(const Request& request)
       if (request.structure)
       {
         printStructure(request);
+      }
+      if (request.march)
+      {
+        printMarch(request);
       }
       if (!request.folder.empty())
       {

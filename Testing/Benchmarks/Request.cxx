@@ -78,6 +78,10 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
       "Times to change colours, opacity and camera and see what that costs [0]")
     ->check(CLI::Range(0, 1000))
     ->group("What");
+  app
+    .add_flag("--march", request.march,
+      "Print what a march does in the scenes (samples, regions, lanes that are on), as CSV")
+    ->group("What");
   app.add_flag("--structure", request.structure, "Print time and memory by size of bricks, as CSV")
     ->group("What");
   app.add_flag("--list", texts.list, "Say which scenes and methods there are")->group("What");
@@ -133,7 +137,7 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
 void chooseTask(const Texts& texts, Request& request)
 {
   const bool measures = texts.quick || texts.full || !request.scenes.empty() ||
-    !request.input.draw.Input.empty() || request.growth || request.structure;
+    !request.input.draw.Input.empty() || request.growth || request.structure || request.march;
   if (texts.quick && texts.full)
   {
     refuse("--quick and --full exclude one another.");
@@ -147,7 +151,7 @@ void chooseTask(const Texts& texts, Request& request)
   {
     refuse("Nothing to measure: give --quick, --full, --scenes or an input.");
   }
-  if (request.folder.empty() && !request.structure)
+  if (request.folder.empty() && !request.structure && !request.march)
   {
     refuse("--output is missing: the folder that results are written to.");
   }

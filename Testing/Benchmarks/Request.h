@@ -28,6 +28,7 @@ struct Request
   double largest = 1e7;
   bool full = false;
   bool structure = false; // the sweep of brick sizes
+  bool march = false;     // what a march does
   Plan plan;
 };
 

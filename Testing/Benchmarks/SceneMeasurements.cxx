@@ -6,6 +6,8 @@
 
 #include "Core/ActiveRegions.h"
 
+#include <stdexcept>
+
 namespace exabricks
 {
 namespace benchmarks
@@ -23,7 +25,8 @@ double medianFrame(DirectMethod& method, const Size& size, int frames, double va
   return median(costs.wall);
 }
 
-void measureFrames(const Scene& scene, const Size& size, int frames, SceneMeasurements& measured)
+void measureFrames(
+  const Scene& scene, const Size& size, int frames, bool queriesRays, SceneMeasurements& measured)
 {
   const auto frame = [&](const DirectSettings& settings, double value)
   {
@@ -35,7 +38,10 @@ void measureFrames(const Scene& scene, const Size& size, int frames, SceneMeasur
   };
   const Reconstruction basis = Reconstruction::Basis;
   measured.frameKdTree = frame({ basis, Traversal::KdTree }, DefaultStepScale);
-  measured.frameRayQuery = frame({ basis, Traversal::RayQuery }, DefaultStepScale);
+  if (queriesRays)
+  {
+    measured.frameRayQuery = frame({ basis, Traversal::RayQuery }, DefaultStepScale);
+  }
   measured.frameOfAllLevels = frame(toleranceSettings(0), GrowthTolerance);
   measured.frameByTolerance = frame(toleranceSettings({}), GrowthTolerance);
 }
@@ -80,15 +86,24 @@ SceneMeasurements measureStructure(
     measured.kdTreeTotal = static_cast<double>(kdTree.statistics().deviceBytes);
     tables = measured.kdTreeTotal - common - measured.kdTreeBytes;
   }
-  DirectMethod rayQuery(scene, { Reconstruction::Basis, Traversal::RayQuery });
-  rayQuery.setUp(DefaultStepScale);
-  measured.rayQueryTotal = static_cast<double>(rayQuery.statistics().deviceBytes);
-  const std::size_t boxBytes = active.boxes.size() * sizeof(layout::ActiveBox);
-  measured.accelerationBytes =
-    measured.rayQueryTotal - common - tables - static_cast<double>(boxBytes);
+  bool queriesRays = true;
+  try
+  {
+    DirectMethod rayQuery(scene, { Reconstruction::Basis, Traversal::RayQuery });
+    rayQuery.setUp(DefaultStepScale);
+    measured.rayQueryTotal = static_cast<double>(rayQuery.statistics().deviceBytes);
+    const std::size_t boxBytes = active.boxes.size() * sizeof(layout::ActiveBox);
+    measured.accelerationBytes =
+      measured.rayQueryTotal - common - tables - static_cast<double>(boxBytes);
+  }
+  catch (const std::runtime_error& error) // a device without ray queries
+  {
+    queriesRays = false;
+    say(std::string("not measured by ray query: ") + error.what());
+  }
   if (frames > 0)
   {
-    measureFrames(scene, size, frames, measured);
+    measureFrames(scene, size, frames, queriesRays, measured);
   }
   return measured;
 }

@@ -9,6 +9,8 @@
 #include "CountsSpirv.h"
 #include "FinestStepsInt64Spirv.h"
 #include "FinestStepsSpirv.h"
+#include "LanesInt64Spirv.h"
+#include "LanesSpirv.h"
 #include "LatticeInt64Spirv.h"
 #include "LatticeSpirv.h"
 #include "LeftEndInt64Spirv.h"
@@ -127,6 +129,13 @@ const Variant& countingVariant()
 {
   static const Variant counting{ "counts", "samples, intervals, regions, tree steps",
     makePlain(makeProgram(CountsSpirv, CountsInt64Spirv)) };
+  return counting;
+}
+
+const Variant& laneCountingVariant()
+{
+  static const Variant counting{ "lanes", "halves that show nothing, rounds, lanes on",
+    makePlain(makeProgram(LanesSpirv, LanesInt64Spirv)) };
   return counting;
 }
 

@@ -26,6 +26,8 @@ const std::vector<Variant>& variants();
 /// Our own march, whose picture is, per pixel, the number of samples of the field (red), intervals
 /// (green), regions entered (blue) and steps down the tree (opacity); of Completed too.
 const Variant& countingVariant();
+/// The same of what lanes share. Needs a device with ballots of subgroups.
+const Variant& laneCountingVariant();
 /// The one of `variants` with that name; throws std::out_of_range if there is none.
 const Variant& findVariant(const std::string& name);
 }

@@ -1,8 +1,14 @@
 #version 460
 // SPDX-License-Identifier: BSD-3-Clause
 // The march of March.comp, to count: the picture is, per pixel, the number of samples of the field
-// (red), of intervals (green), of regions entered (blue) and of steps down the tree (opacity).
+// (red), of intervals (green), of regions entered (blue) and of steps down the tree (opacity). With
+// COUNT_LANES: of halves of intervals that show nothing (red); of times round the loop of intervals
+// (blue), and down the tree, that a subgroup of lanes goes, shared among the lanes that are on (green
+// and opacity), so that sums over pixels are those of subgroups.
 #extension GL_GOOGLE_include_directive : require
+#ifdef COUNT_LANES
+#extension GL_KHR_shader_subgroup_ballot : require
+#endif
 
 #include "Buffers.glsl"
 #include "Constants.glsl"
@@ -21,6 +27,20 @@
 #include "Gradient.glsl"
 
 uvec4 counts = uvec4(0);
+uint nothings = 0u;
+uint rounds = 0u;
+float shareOfRounds = 0.0;
+float shareOfSteps = 0.0;
+
+// Of what a subgroup does once.
+float shareOfLane()
+{
+#ifdef COUNT_LANES
+  return 1.0 / float(subgroupBallotBitCount(subgroupBallot(true)));
+#else
+  return 1.0;
+#endif
+}
 
 #define sampleField sampleUncounted
 #include "Field.glsl"
@@ -33,7 +53,18 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 }
 
 #include "TransferFunction.glsl"
+#define absorbBetween absorbUncounted
 #include "Absorption.glsl"
+#undef absorbBetween
+
+vec4 absorbBetween(
+  TransferPoint from, TransferPoint to, vec2 values, TransferPart part, float units)
+{
+  const vec4 color = absorbUncounted(from, to, values, part, units);
+  nothings += color.a > 0.0 ? 0u : 1u;
+  return color;
+}
+
 #include "Lighting.glsl"
 #include "Blend.glsl"
 #define enterRegion enterUncounted
@@ -55,6 +86,8 @@ void enterRegion(
 
 void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 {
+  ++rounds;
+  shareOfRounds += shareOfLane();
   const float before = cursor.entry;
   marchUncounted(ray, cursor, gathered);
   counts.g += uint(cursor.entry > before); // not where only a first point was sampled
@@ -64,6 +97,7 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
 float planeDistanceOfStep(Ray ray, int plane, uint axis)
 {
   ++counts.a;
+  shareOfSteps += shareOfLane();
   return planeDistance(ray, plane, axis);
 }
 
@@ -76,8 +110,16 @@ float planeDistanceOfStep(Ray ray, int plane, uint axis)
 void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
 {
   counts = uvec4(0);
+  nothings = 0u;
+  rounds = 0u;
+  shareOfRounds = 0.0;
+  shareOfSteps = 0.0;
   traverseUncounted(f, place, gathered);
+#ifdef COUNT_LANES
+  gathered.color = vec4(nothings, shareOfRounds, rounds, shareOfSteps);
+#else
   gathered.color = vec4(counts);
+#endif
 }
 
 #include "Pixel.glsl"

@@ -223,6 +223,39 @@ TEST(Variants, CountsOfCompletedToo)
   EXPECT_GT(coverage(counts), 1.0);
 }
 
+TEST(Variants, LanesShareWhatASubgroupDoes)
+{
+  SceneRenderer subject(reference::twoLevels());
+  const auto counter = laneCountingVariant().makeProgram(subject.plain);
+  const reference::View view = subject.look({ -0.6, 0.5, -0.4 }, 30.0);
+  glm::dvec4 sum(0.0);
+  for (const glm::dvec4& count : draw(subject, counter, view).pixels)
+  {
+    EXPECT_LE(count.g, count.b + 1e-3); // no more than one subgroup a round
+    sum += count;
+  }
+  const double lanesOn = sum.b / sum.g;
+  std::cout << lanesOn << " lanes on in the loop of intervals\n";
+  EXPECT_GT(lanesOn, 2.0);
+  EXPECT_LT(lanesOn, 64.0);
+  EXPECT_GT(sum.a, 0.0);
+
+  // Halves that show nothing are there where the function leaves some.
+  const auto countNothings = [&](const TransferFunction& transfer)
+  {
+    subject.transfer = transfer;
+    double count = 0.0;
+    for (const glm::dvec4& pixel : draw(subject, counter, view).pixels)
+    {
+      count += pixel.r;
+    }
+    return count;
+  };
+  const glm::dvec4 mist(1.0, 1.0, 1.0, 0.1);
+  EXPECT_EQ(countNothings(TransferFunction({ { 0.0, mist } })), 0.0);
+  EXPECT_GT(countNothings(TransferFunction({ { 0.5, glm::dvec4(0.0) }, { 0.5, mist } })), 100.0);
+}
+
 TEST(Variants, OursIsTheSameWithoutIntegersOf64Bits)
 {
   // Compiled for devices that lack them, and drawn by one that may have them.
