@@ -194,7 +194,7 @@ public:
    * the volume without them too, a quarter more memory where blocks are large, up to twice as much
    * in octrees of small ones.
    *
-   * Rays go through every fourth pixel along each axis first, and through others where the picture
+   * Rays go through every eighth pixel along each axis first, and through others where the picture
    * is not as these predict it (Levoy, "Volume rendering by adaptive refinement", The Visual
    * Computer 1990), so that half of the squared error is that of predictions; it is measured on
    * some pixels drawn to check it. Parts of a picture (tiles, eyes, what lies between translucent

@@ -67,7 +67,7 @@ std::uint32_t sideOfBlocks(std::uint32_t width, std::uint32_t height, std::uint3
 {
   const double columns = std::ceil(static_cast<double>(width) / spacing);
   const double rows = std::ceil(static_cast<double>(height) / spacing);
-  const double side = std::round(std::sqrt(columns * rows / Blocks));
+  const double side = std::round(std::sqrt(columns * rows * spacing / Blocks));
   return static_cast<std::uint32_t>(std::clamp(side, 1.0, std::min(columns, rows)));
 }
 
@@ -77,7 +77,7 @@ float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool
     [](const layout::RayCheck& a, const layout::RayCheck& b) { return a.estimate < b.estimate; });
   const auto drawn = std::count_if(
     checks.begin(), checks.end(), [](const layout::RayCheck& check) { return check.drawn != 0; });
-  if (drawn < FewestDrawn)
+  if (drawn < (isLastGrid ? FewestDrawn : FewestDrawn / 2))
   {
     return 0.0f;
   }

@@ -13,8 +13,8 @@
 
 namespace exabricks
 {
-/// Distance along each axis of the rays that are marched first, pixels. The grids of every second
-/// pixel and of all of them follow.
+/// Distance along each axis of the rays that are marched first, pixels. The grids of every fourth
+/// pixel, of every second one and of all of them follow.
 constexpr int FirstSpacing = 8;
 
 /// What predictions of the view's picture may err by, as a root mean square over the channels of
@@ -33,13 +33,15 @@ double toleranceOfSteps(const View& view);
 std::vector<std::uint32_t> listCheckedPixels(
   std::uint32_t width, std::uint32_t height, std::uint32_t spacing, std::uint32_t side);
 
-/// Blocks of this side have about as many checked pixels as it takes.
+/// Blocks of this side have about as many checked pixels as it takes: the fewer, the fewer pixels
+/// are predicted by them.
 std::uint32_t sideOfBlocks(std::uint32_t width, std::uint32_t height, std::uint32_t spacing);
 
 /// Predictions stand whose estimate is below: so many that they err together by `tolerance`, as a
 /// root mean square over the channels of the drawn pixels, or by half of it on the grids before the
 /// last one, of which others are predicted. 0: none stands, as where fewer than 200 of the checked
-/// pixels are drawn, which tell nothing: all is small then, and most rays pass it by.
+/// pixels are drawn, or 100 on these grids, which tell nothing: all is small then, and most rays
+/// pass it by.
 float findThreshold(std::vector<layout::RayCheck> checks, double tolerance, bool isLastGrid);
 }
 

@@ -15,7 +15,7 @@ namespace
 {
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
 // show anything.
-constexpr double FirstPixels = 1500.0;
+constexpr double FirstPixels = 1024.0;
 constexpr double MostPixels = 192000.0;
 constexpr double StepScaleOfLittle = 0.25; // where no error can be told
 
