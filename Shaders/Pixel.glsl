@@ -2,6 +2,7 @@
 // One invocation: the ray of one pixel, from its set-up to the picture.
 
 #include "Invocation.glsl"
+#include "Tile.glsl"
 
 vec4 marchPixel(FrameBuffer f, uvec2 pixel)
 {
@@ -33,7 +34,7 @@ uvec2 findPixel(uint width)
   }
   const uint tile = i / 64u;
   const uvec2 corner = 8u * uvec2(tile % columns, tile / columns);
-  return spacing * (corner + uvec2(i % 8u, i / 8u % 8u) + uvec2(0u, push.band.firstRow));
+  return spacing * (corner + placeInTile(i) + uvec2(0u, push.band.firstRow));
 }
 
 // Noise that is spread evenly among neighbours (interleaved gradient noise: Jimenez, "Next Generation

@@ -3,6 +3,7 @@
 // Predicts the pixels of a grid from those at its even places, and lists those that are to be marched.
 #extension GL_GOOGLE_include_directive : require
 #include "Prediction.glsl"
+#include "Tile.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -23,7 +24,8 @@ void put(Prediction prediction, ivec2 place)
 
 void main()
 {
-  const ivec2 corner = 2 * ivec2(gl_GlobalInvocationID.xy);
+  const ivec2 corner =
+    2 * ivec2(8u * gl_WorkGroupID.xy + placeInTile(gl_LocalInvocationIndex));
   if (any(greaterThanEqual(corner, placesOfGrid())))
   {
     return;
