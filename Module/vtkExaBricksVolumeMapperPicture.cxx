@@ -348,6 +348,8 @@ exabricks::Coarseness vtkExaBricksVolumeMapper::vtkInternals::ChooseCoarseness(
   const exabricks::Coarseness chosen = this->Interactive.choose(seconds, pixels, limits);
   // What brings levels to the device is done in the same time.
   const double update = this->Renderer.secondsToUpdate(chosen.levelsLeftOut);
+  limits.cells.resize(
+    std::min(limits.cells.size(), 1 + static_cast<std::size_t>(chosen.levelsLeftOut)));
   return update > 0.0 ? this->Interactive.choose(seconds - update, pixels, limits) : chosen;
 }
 

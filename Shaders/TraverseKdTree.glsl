@@ -45,8 +45,9 @@ KdNode locate(KdNodes nodes, Ray ray, float distance, Accumulator gathered, inou
   return node;
 }
 
-// Of regions found ahead, at most. Private arrays are slow on other devices than processors.
-const uint MOST_AHEAD = takesPixels ? 8u : 1u;
+// Of regions found ahead, at most. Private arrays are slow on other devices than processors. What a ray
+// has gathered says which regions cannot change its extreme: they are found when they are needed.
+const uint MOST_AHEAD = takesPixels && !isExtremum ? 8u : 1u;
 
 // A region that the ray comes to.
 struct Ahead
@@ -77,7 +78,8 @@ void traverse(FrameBuffer f, uvec2 place, inout Accumulator gathered)
   uint count = 0u;
   while (true)
   {
-    if (subgroupAny(cursor.intervals == 0 && count == 0u))
+    const bool needsOne = cursor.intervals == 0 && count == 0u;
+    if (isExtremum ? needsOne : subgroupAny(needsOne))
     {
       while (count < MOST_AHEAD && goesOn(pixel, ray, exit))
       {

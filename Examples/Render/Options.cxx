@@ -190,7 +190,9 @@ void addOptions(CLI::App& app, Options& o, Texts& texts)
     ->type_name("MIN MAX")
     ->expected(2)
     ->group(look);
-  app.add_option("--opacity", texts.Opacity, "Opacity points V:O,V:O,... [from the histogram]")
+  app
+    .add_option("--opacity", texts.Opacity,
+      "Opacity points V:O,V:O,... [by the histogram and the blend mode]")
     ->type_name("POINTS")
     ->group(look);
   app

@@ -63,7 +63,7 @@ struct Options
   std::string ColorMap = "viridis";
   std::vector<ColorPoint> Colors;             // in place of a map, in the values drawn
   std::optional<std::array<double, 2>> Range; // in units of the array, also with Log
-  std::vector<OpacityPoint> Opacity;          // likewise; empty: from the histogram
+  std::vector<OpacityPoint> Opacity;          // likewise; empty: by the histogram and blend mode
   double OpacityUnit = 0.0;                   // 0: from the data
   Vector3 Background{ { 0.0, 0.0, 0.0 } };
   std::string BackgroundName = "black";

@@ -117,10 +117,15 @@ double LevelsOfDetail::secondsToUpdate(int levelsLeftOut) const
   }
   const auto bytesOf = [](const Volume& volume)
   { return static_cast<double>(volume.structure->bytes() + volume.values->bytes()); };
+  const auto secondsOf = [this](const Level& level)
+  {
+    return (level.onDevice && level.valuesOnDevice ? 0.0 : this->UploadTime) +
+      (level.activeOnDevice ? 0.0 : this->SelectionTime);
+  };
+  const double whole = secondsOf(this->Levels.front()); // which is brought up to date too
   const Level& level = this->Levels[index];
-  const double seconds = (level.onDevice && level.valuesOnDevice ? 0.0 : this->UploadTime) +
-    (level.activeOnDevice ? 0.0 : this->SelectionTime);
-  return seconds > 0.0 ? seconds * bytesOf(level.volume) / bytesOf(this->volume()) : 0.0;
+  const double seconds = index > 0 ? secondsOf(level) : 0.0;
+  return whole + (seconds > 0.0 ? seconds * bytesOf(level.volume) / bytesOf(this->volume()) : 0.0);
 }
 
 ActiveRegions LevelsOfDetail::select(const Volume& volume, const Selection& selection)

@@ -51,6 +51,15 @@ scene.blend_mode = "average"
 assert scene.opacity == [(low, 0.5), (high, 0.25)], scene.opacity
 scene.blend_mode = "composite"
 
+# So it is in a scene that was kept.
+chosen = coarse.opacity
+coarse.blend_mode = "maximum"
+again = exabricks.VolumeScene(DATA, "magvort", levels=1)
+again.apply(coarse.to_dict())
+assert again.blend_mode == "maximum" and again.opacity == coarse.opacity != chosen
+again.blend_mode = "composite"
+assert again.opacity == chosen
+
 # What does not fit is said.
 for wrong, words in (
     (lambda: exabricks.show("no-such.vthb"), (exabricks.ReadError, "no-such.vthb")),

@@ -451,6 +451,8 @@ class VolumeScene:
         self.camera.SetParallelProjection(camera["parallel"])
         self.camera.SetParallelScale(camera["parallel_scale"])
         look = picture["look"]
+        view = settings.get("view", {})
+        self.blend_mode = view.get("blend_mode", "composite")
         if with_values:
             self._apply_look(look)
         self.renderer.SetBackground(look["background"])
@@ -458,8 +460,6 @@ class VolumeScene:
         self.mapper.SetReconstruction(RECONSTRUCTIONS.index(method["reconstruction"]))
         self.mapper.SetStepScale(method["step_scale"])
         self.mapper.SetErrorTolerance(method["error_tolerance"])
-        view = settings.get("view", {})
-        self.mapper.SetBlendMode(BLEND_MODES[view.get("blend_mode", "composite")])
         if with_values:
             self.set_iso_values(view.get("iso_values", []))
         if view.get("slice"):

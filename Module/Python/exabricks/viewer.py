@@ -362,7 +362,7 @@ class Viewer:
             return
         self.scene.set_iso_values([picker.GetValue()])
         self.scene.volume_property.ShadeOn()
-        self.scene.mapper.SetBlendModeToIsoSurface()
+        self.scene.blend_mode = "isosurface"
         self._follow_slice()
         self.say(f"iso-surface of {picker.GetValue():g}")
 
