@@ -17,8 +17,6 @@ constexpr double Order = 1.7;
 constexpr double ErrorPerDifference = 1.15;
 constexpr int Rounds = 4;
 constexpr double Near = 1.1; // A step that would change by less is taken as it is.
-// One that changes by less is what the order says, which needs no other picture to be sure of.
-constexpr double Sure = 1.35;
 // Of the tolerance, the most that levels left out may err by: what they do is left for the steps,
 // which would get too short beyond.
 constexpr double MostForLevels = 0.6;
@@ -101,10 +99,6 @@ private:
       lastScale = scale;
       lastError = error;
       scale = next;
-      if (round > 0 && std::max(change, 1.0 / change) <= Sure)
-      {
-        break;
-      }
     }
     return scale;
   }
