@@ -45,8 +45,8 @@ KdNode locate(KdNodes nodes, Ray ray, float distance, Accumulator gathered, inou
   return node;
 }
 
-// Of regions found ahead, at most. Private arrays are slow on other devices than processors. What a ray
-// has gathered says which regions cannot change its extreme: they are found when they are needed.
+// So many regions are found ahead at most. On other devices than processors private arrays are slow. Of
+// extremes one is found when it is needed: what a ray has gathered up to it says whether it can matter.
 const uint MOST_AHEAD = takesPixels && !isExtremum ? 8u : 1u;
 
 // A region that the ray comes to.

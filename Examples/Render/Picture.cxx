@@ -235,14 +235,14 @@ void Picture::ChooseOpacity()
   this->Opacity = this->Asked.Opacity;
   if (this->Opacity.empty())
   {
+    // Of several surfaces those behind show through.
+    const double part = this->Asked.IsoValues.size() > 1 ? 0.5 : 1.0;
     vtkPiecewiseFunction* chosen = this->Chosen->GetScalarOpacity();
     for (int i = 0; i < chosen->GetSize(); ++i)
     {
       double node[4];
       chosen->GetNodeValue(i, node);
-      // Of several surfaces those behind show through.
-      const bool hides = this->Asked.IsoValues.size() > 1;
-      this->Opacity.push_back({ node[0], hides ? 0.5 * node[1] : node[1] });
+      this->Opacity.push_back({ node[0], part * node[1] });
     }
   }
   else if (this->Asked.Log)

@@ -118,14 +118,10 @@ public:
     std::copy(from.boxes.begin(), from.boxes.end(), at(this->Result.boxes, place.boxes));
   }
 
-  /// A node of a tree that is there. Links have been checked, and without branches are moved in
-  /// half the time.
-  static layout::KdNode moved(layout::KdNode node, const Place& place)
+  /// A node of a tree that is there.
+  static layout::KdNode moved(const layout::KdNode& node, const Place& place)
   {
-    const bool isSplit = (node.link & 3) != layout::KD_LEAF;
-    node.link +=
-      static_cast<std::uint32_t>(isSplit) * 4 * static_cast<std::uint32_t>(place.nodes - 1);
-    return node;
+    return moveLink(node, place.nodes - 1, 0);
   }
 
   void count(const TreeMaker& other)

@@ -203,7 +203,7 @@ bool wantsLogarithm(const Values& values)
 
 namespace
 {
-// Opacities that make a ray of a mean length through what shows absorb so much.
+// Opacities of the unit distance whose extinction is so many times the interest.
 std::vector<OpacityPoint> makeOpacity(
   const Range& colors, const Interest& interest, double extinction)
 {

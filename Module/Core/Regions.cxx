@@ -437,6 +437,8 @@ private:
       regions += tree.regions.size();
       listed += tree.brickLists.size();
     }
+    checkIndex(nodes);
+    checkIndex(regions);
     this->Tree.nodes.reserve(nodes);
     this->Tree.regions.reserve(regions);
     this->Tree.brickLists.reserve(listed);

@@ -5,8 +5,7 @@
 #include "Timing.h"
 
 #include "Core/ActiveRegions.h"
-
-#include <stdexcept>
+#include "Vulkan/Traversals.h"
 
 namespace exabricks
 {
@@ -86,8 +85,8 @@ SceneMeasurements measureStructure(
     measured.kdTreeTotal = static_cast<double>(kdTree.statistics().deviceBytes);
     tables = measured.kdTreeTotal - common - measured.kdTreeBytes;
   }
-  bool queriesRays = true;
-  try
+  const bool queriesRays = deviceHasRayQuery();
+  if (queriesRays)
   {
     DirectMethod rayQuery(scene, { Reconstruction::Basis, Traversal::RayQuery });
     rayQuery.setUp(DefaultStepScale);
@@ -95,11 +94,6 @@ SceneMeasurements measureStructure(
     const std::size_t boxBytes = active.boxes.size() * sizeof(layout::ActiveBox);
     measured.accelerationBytes =
       measured.rayQueryTotal - common - tables - static_cast<double>(boxBytes);
-  }
-  catch (const std::runtime_error& error) // a device without ray queries
-  {
-    queriesRays = false;
-    say(std::string("not measured by ray query: ") + error.what());
   }
   if (frames > 0)
   {

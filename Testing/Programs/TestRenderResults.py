@@ -95,6 +95,33 @@ class RenderResultsTest(unittest.TestCase):
             self.assertIn("alone", said)
         self.assertEqual(self.files(), [])
 
+    # What nobody asks for
+
+    def test_looks_fit_the_blend_mode(self):
+        for asked, shaded, opacities in (
+            (["maximum"], False, [0.0, 1.0]),
+            (["average"], False, [1.0, 1.0]),
+            (["isosurface", "--iso", "1.5"], True, [1.0, 1.0]),
+            (["isosurface", "--iso", "1.2,1.8"], True, [0.5, 0.5]),  # those behind show through
+            (["isosurface", "--iso", "1.5", "--no-shade"], False, [1.0, 1.0]),
+        ):
+            with self.subTest(asked):
+                self.draw(self.path("a.png"), "--stats", self.path("s.json"), "-a", "density", "--blend-mode", *asked)
+                with open(self.path("s.json"), encoding="utf-8") as file:
+                    drawn = json.load(file)
+                self.assertEqual(drawn["view"]["shaded"], shaded)
+                self.assertEqual([opacity for _, opacity in drawn["picture"]["look"]["opacity"]], opacities)
+                self.assertGreater(pixels(self.path("a.png"))[:, :3].max(), 50)
+
+    def test_labels_of_axes_have_room(self):
+        distances = []
+        for options in ([], ["--annotate"]):
+            self.draw(self.path("a.png"), "--stats", self.path("s.json"), *options)
+            with open(self.path("s.json"), encoding="utf-8") as file:
+                camera = json.load(file)["picture"]["camera"]
+            distances.append(numpy.linalg.norm(numpy.subtract(camera["position"], camera["focal"])))
+        self.assertAlmostEqual(distances[1] / distances[0], 1.3, delta=0.02)
+
     # Scenes
 
     def test_scene_keeps_shadows(self):
