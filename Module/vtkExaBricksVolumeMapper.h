@@ -114,7 +114,7 @@ public:
    * reaches the region that the ray is in. Default 1. Between samples, every value that the field
    * passes counts, however narrow the transfer function's spikes are; the error falls with the
    * square of the step, the time grows with its inverse. Has no effect on the nearest
-   * reconstruction, which takes one interval for each cell and is exact.
+   * reconstruction, which takes one interval for each cell, and on iso-surfaces: both are exact.
    */
   vtkSetClampMacro(StepScale, double, 0.001, 1000.0);
   vtkGetMacro(StepScale, double);
@@ -125,7 +125,7 @@ public:
    * Distance of two samples of the field on a ray, a length in the data's own coordinates, the same
    * everywhere, as of vtkGPUVolumeRayCastMapper. 0 (default): that of the StepScale, which follows
    * the cells. A region shorter than it has one sample. Has no effect on the nearest
-   * reconstruction, which is exact.
+   * reconstruction and on iso-surfaces, which are exact.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
@@ -172,8 +172,8 @@ public:
   /**
    * Whether each pixel's samples lie elsewhere, as of vtkGPUVolumeRayCastMapper: what long steps
    * leave out is noise then, the same in each picture, and no bands. Off by default. Costs a sample
-   * more in each region. Has no effect on the nearest reconstruction, which is exact, and where
-   * cells of a region are absent: intervals end at their faces.
+   * more in each region. Has no effect on the nearest reconstruction and on iso-surfaces, which are
+   * exact, and where cells of a region are absent: intervals end at their faces.
    */
   vtkSetMacro(UseJittering, bool);
   vtkGetMacro(UseJittering, bool);

@@ -10,8 +10,8 @@ struct Cursor
   float exit;  // distance at which the ray leaves the region
   uint intervals; // number still to do; where they end at faces of cells: 0, or 1 for some
 
-  // Where the field is continuous
-  bool cut;       // intervals end at faces of cells, as some are absent
+  // Where the field is continuous; of surfaces `interval` and `halved` tell the lattice
+  bool cut;       // some cells are absent: intervals end at faces
   float interval; // greatest length of an interval; unless cut, a whole number fills the region
   bool halved;    // by a sample in its middle
   float lead;     // where samples are jittered: length of the region's first interval, while it lasts
@@ -46,6 +46,28 @@ void forgetPoint(inout Cursor cursor)
   cursor.exit = -1.0;
 }
 
+// One brick alone makes the field, of cells that are all there.
+bool isOfOneBrick(Cursor cursor)
+{
+  return cursor.others == 0u && (cursor.brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u;
+}
+
+// Where surfaces are sought: a piece of the field's course lies in a cell of a lattice of the finest cells'
+// centres; or, where cells of several widths meet, of their centres and faces.
+void findLattice(inout Cursor cursor)
+{
+  int width = cursor.brick.width;
+  uint others = cursor.others;
+  cursor.halved = false;
+  while (others != 0u)
+  {
+    const int other = nextBrick(others).width;
+    cursor.halved = cursor.halved || other != width;
+    width = min(width, other);
+  }
+  cursor.interval = float(cursor.halved ? width : 2 * width);
+}
+
 // The march goes on at the end of the interval.
 void endInterval(float end, inout Cursor cursor)
 {
@@ -54,7 +76,7 @@ void endInterval(float end, inout Cursor cursor)
   cursor.intervals = cursor.cut ? (end < cursor.exit ? 1 : 0) : cursor.intervals - 1;
 }
 
-// The march goes on at the face where the ray leaves a cell.
+// The march goes on where the ray leaves a cell, or a piece of one.
 void endCell(float end, inout Cursor cursor)
 {
   cursor.entry = end;
@@ -107,7 +129,7 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
 {
   // Intervals of a part reach beyond it, where there are cells for them: as far as two of those of
   // the step go. Others end at its faces; crossings of surfaces are found one by one.
-  const bool keepsIntervals = isPart && !isNearest && !isSlice && step > 0.0 && !jittered &&
+  const bool keepsIntervals = isPart && !isNearest && !isSlice && !isIsosurface && step > 0.0 && !jittered &&
     2.0 * stepScale * growth <= float(PART_REACH);
   bool isEmpty = false;
   if (isPart && isSlice)
@@ -125,7 +147,13 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
   cursor.others = firstBrick;
   cursor.brick = nextBrick(cursor.others);
   cursor.intervals = 1;
-  if (!isNearest)
+  if (isIsosurface)
+  {
+    cursor.known = cursor.known && cursor.exit == entry;
+    cursor.cut = step < 0.0;
+    findLattice(cursor);
+  }
+  else if (!isNearest)
   {
     // Samples at most a step apart, two to an interval, unless one alone does for the region.
     cursor.cut = step < 0.0;
@@ -142,10 +170,6 @@ void enterRegion(Ray ray, uint firstBrick, float step, float growth, float entry
     }
     // The field is continuous: the last point of the region before is the first of this one.
     cursor.known = cursor.known && cursor.exit == entry;
-  }
-  else if (isIsosurface)
-  {
-    cursor.known = cursor.known && cursor.exit == entry; // the value of the cell before
   }
   cursor.entry = entry;
   cursor.exit = exit;

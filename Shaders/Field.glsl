@@ -15,16 +15,13 @@ void addReconstructed(Brick brick, vec3 q, uint component, inout float sum, inou
   }
 }
 
-// The ray's point at `distance` has to lie in a cell that is there: then its own tent alone weighs 1/8
-// at least. `others`: place of the rest of the list, 0: there is none.
-float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint component)
+// The weighted values and the weights at the ray's point at `distance`. `others`: place of the rest of the
+// list, 0: there is none.
+void sumBricks(Brick brick, uint others, Ray ray, float distance, uint component, out float sum,
+  out float weight)
 {
-  if (!isCompleted && others == 0u && (brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
-  {
-    return interpolateBrick(brick, toCells(brick, ray, distance), component);
-  }
-  float sum = 0.0;
-  float weight = 0.0;
+  sum = 0.0;
+  weight = 0.0;
   while (true)
   {
     addReconstructed(brick, toCells(brick, ray, distance), component, sum, weight);
@@ -34,6 +31,18 @@ float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint co
     }
     brick = nextBrick(others);
   }
+}
+
+// The ray's point has to lie in a cell that is there: then its own tent alone weighs 1/8 at least.
+float sampleComponent(Brick brick, uint others, Ray ray, float distance, uint component)
+{
+  if (!isCompleted && others == 0u && (brick.dimensions & BRICK_HAS_ABSENT_CELLS) == 0u)
+  {
+    return interpolateBrick(brick, toCells(brick, ray, distance), component);
+  }
+  float sum;
+  float weight;
+  sumBricks(brick, others, ray, distance, component, sum, weight);
   return clamp(sum / weight, 0.0, 1.0); // which rounding may pass
 }
 

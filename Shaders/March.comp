@@ -46,7 +46,6 @@
 
 // The march.
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #if defined(FAMILY_COMPONENTS)
@@ -56,6 +55,8 @@
 #include "ProjectComponents.glsl"
 #include "MarchComponents.glsl"
 #elif defined(FAMILY_SURFACE)
+#include "Isosurface.glsl"
+#include "MarchSurfaces.glsl"
 #include "Slice.glsl"
 #endif
 #include "MarchOn.glsl"

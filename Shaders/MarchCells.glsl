@@ -7,26 +7,14 @@ void marchCell(Ray ray, inout Cursor cursor, inout Accumulator gathered)
   float end = cursor.exit;
   if (findCell(cursor.brick, cursor.others, ray, cursor.entry, end, value))
   {
-    if (isIsosurface)
+    const float middle = 0.5 * (cursor.entry + end);
+    vec3 gradient = vec3(0.0);
+    if (needsGradient)
     {
-      if (cursor.known)
-      {
-        addSurfaces(cursor, ray, cursor.entry, end, cursor.value, value, gathered);
-      }
-      cursor.value = value;
-      cursor.known = true;
+      gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
     }
-    else
-    {
-      const float middle = 0.5 * (cursor.entry + end);
-      vec3 gradient = vec3(0.0);
-      if (needsGradient)
-      {
-        gradient = sampleFieldJet(cursor.brick, cursor.others, ray, middle).xyz;
-      }
-      addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
-        spotAt(ray, cursor.brick, cursor.others, middle, vec2(value), gradient), gathered);
-    }
+    addConstant(value, (end - cursor.entry) * ray.unitsPerHalfCell,
+      spotAt(ray, cursor.brick, cursor.others, middle, vec2(value), gradient), gathered);
   }
   else
   {

@@ -82,11 +82,6 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     {
       addSamples(last, middle, value, gathered);
     }
-    if (isIsosurface && !first)
-    {
-      addSurfacesOfInterval(
-        cursor, ray, end, count, vec3(last, count == 2 ? middle : value, value), gathered);
-    }
     middle = clamp((4.0 * middle - 0.5 * (last + value)) / 3.0, min(middle, min(last, value)),
       max(middle, max(last, value)));
     const float units = length / float(count) * ray.unitsPerHalfCell;
@@ -97,19 +92,15 @@ void marchInterval(Ray ray, inout Cursor cursor, inout Accumulator gathered)
       const Spot spot = spotAt(ray, cursor.brick, cursor.others,
         cursor.entry + (float(k) - 0.5) / float(count) * length, vec2(cursor.value, next),
         0.5 * (cursor.gradient + nextGradient));
-      if (!isIsosurface)
+      if (isPart)
       {
-        if (isPart)
-        {
-          const float begin = cursor.entry + float(k - 1) / float(count) * length;
-          addPartOfInterval(cursor.value, next, units, first,
-            first ? vec2(0.0, 1.0) : keptOf(ray, begin, begin + length / float(count)), spot,
-            gathered);
-        }
-        else
-        {
-          addInterval(cursor.value, next, units, first, spot, gathered);
-        }
+        const float begin = cursor.entry + float(k - 1) / float(count) * length;
+        addPartOfInterval(cursor.value, next, units, first,
+          first ? vec2(0.0, 1.0) : keptOf(ray, begin, begin + length / float(count)), spot, gathered);
+      }
+      else
+      {
+        addInterval(cursor.value, next, units, first, spot, gathered);
       }
       cursor.value = next;
       cursor.gradient = nextGradient;

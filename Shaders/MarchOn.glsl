@@ -11,6 +11,11 @@ void marchOn(Ray ray, inout Cursor cursor, inout Accumulator gathered)
     marchSlice(ray, cursor, gathered);
     return;
   }
+  if (isIsosurface)
+  {
+    marchSurfaces(ray, cursor, gathered);
+    return;
+  }
 #endif
   if (isNearest)
   {

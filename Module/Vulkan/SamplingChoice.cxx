@@ -16,8 +16,6 @@ namespace
 // About as many pixels tell the error of a picture; at most so many are drawn where few of them
 // show anything.
 constexpr double FirstPixels = 1024.0;
-// Of surfaces more, as it is a few pixels that err by much, where one is missed.
-constexpr double FirstPixelsOfSurfaces = 4096.0;
 constexpr double MostPixels = 192000.0;
 constexpr double StepScaleOfLittle = 0.25; // where no error can be told
 
@@ -52,8 +50,7 @@ Sampling SamplingChoice::find(const View& part, const MarchPass& pass, const Mak
   const Stopwatch watch;
   const double all = static_cast<double>(view.target.width) * view.target.height;
   std::optional<Sampling> sampling;
-  const double first = view.blending == Blending::Isosurface ? FirstPixelsOfSurfaces : FirstPixels;
-  for (double pixels = first; !sampling; pixels = std::min(8.0 * pixels, MostPixels))
+  for (double pixels = FirstPixels; !sampling; pixels = std::min(8.0 * pixels, MostPixels))
   {
     sampling = this->FindFrom(view, pixels, pass, makeFrame);
     if (!sampling && pixels >= std::min(all, MostPixels))

@@ -7,6 +7,7 @@
 #include "Accuracy/Candidates.h"
 #include "Reference/Projection.h"
 #include "Reference/Shaded.h"
+#include "Reference/Surfaces.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -113,6 +114,20 @@ TEST(LooksCompleted, WithOpacityByGradients)
     const reference::Image truth = test.shade(settings);
     EXPECT_LT(reference::psnrOfDrawn(plain, truth), 35.0);
     test.expect("opacity by gradients", truth, 46.0);
+  }
+}
+
+TEST(LooksCompleted, Surfaces)
+{
+  for (const reference::Scene& scene : scenes())
+  {
+    Case test(scene);
+    test.subject.blending = Blending::Isosurface;
+    test.subject.isoValues = { 0.3, 0.6 };
+    test.expect("surfaces",
+      reference::drawSurfaces(test.field(), test.bounds(), test.view, test.subject.transfer,
+        test.subject.isoValues, 1.0 / 256.0),
+      55.0);
   }
 }
 

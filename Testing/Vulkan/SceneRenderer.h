@@ -109,6 +109,7 @@ struct SceneRenderer
     view.quality.terminationOpacity = this->terminationOpacity;
     view.quality.reconstruction = this->reconstruction;
     view.blending = this->blending;
+    view.isoValues = this->isoValues;
     view.averageRanges = this->averageRanges;
     view.lighting = this->lighting;
     for (const glm::dvec4& plane : from.cut.planes)
@@ -158,6 +159,7 @@ struct SceneRenderer
   double terminationOpacity = 1.0; // never
   Reconstruction reconstruction = Reconstruction::Basis;
   Blending blending = Blending::Composite;
+  std::vector<double> isoValues; // normalised
   AverageRanges averageRanges = wholeAverageRanges();
   std::optional<Lighting> lighting;
 

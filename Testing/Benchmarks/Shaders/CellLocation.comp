@@ -84,7 +84,6 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 #include "Lighting.glsl"
 #include "Blend.glsl"
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

@@ -70,7 +70,6 @@ vec4 absorbBetween(
 #define enterRegion enterUncounted
 #define marchOn marchUncounted
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

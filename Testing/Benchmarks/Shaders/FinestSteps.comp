@@ -25,7 +25,6 @@
 #include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #undef enterRegion
 #include "FinestSteps.glsl"
 #include "MarchCells.glsl"

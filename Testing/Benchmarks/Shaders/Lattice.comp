@@ -27,7 +27,6 @@
 #define enterRegion enterRegionAndFit
 #define marchOn marchFitted
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #include "MarchIntervals.glsl"
 #include "MarchOn.glsl"

@@ -114,7 +114,6 @@ float sampleField(Brick brick, uint others, Ray ray, float distance)
 #include "Blend.glsl"
 #define enterRegion enterRegionByItsCells
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #undef enterRegion
 #include "FinestSteps.glsl"
 #include "MarchCells.glsl"

@@ -26,7 +26,6 @@
 #include "Blend.glsl"
 #define enterRegion enterRegionForMeans
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #undef enterRegion
 #include "MarchIntervals.glsl"
 

@@ -37,7 +37,6 @@ vec4 absorbBetween(
 #include "Lighting.glsl"
 #include "Blend.glsl"
 #include "Cursor.glsl"
-#include "Isosurface.glsl"
 #include "MarchCells.glsl"
 #define marchInterval marchLength
 #include "MarchIntervals.glsl"
