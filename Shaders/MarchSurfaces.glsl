@@ -100,7 +100,8 @@ vec4 cubicBetween(vec4 lower, vec4 upper, vec3 from, vec3 to)
 Course courseOfBrick(Cursor cursor, Ray ray, float end)
 {
   const uvec3 n = cellsOf(cursor.brick);
-  const float beyond = isCompleted ? 1.0 : 0.0; // the centres
+  // Beyond the centres. No vector: lavapipe took the wrong one of two constant ones.
+  const float beyond = isCompleted ? 1.0 : 0.0;
   const vec3 least = vec3(-beyond);
   const vec3 greatest = vec3(n) - 1.0 + beyond;
   vec4 lower;

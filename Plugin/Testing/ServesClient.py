@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client of a server on this machine: the server draws, and the client has the picture that it would draw itself."""
+"""A client of a server on this machine, of one rank and of three: the server draws, and the client has the picture that it
+would draw itself.
+"""
 
 import socket
 import subprocess
@@ -8,35 +10,34 @@ import threading
 
 from Support import *
 
-# The picture of one process.
-load_plugin()
-scene = make_scene()
-view = make_view()
-display = show(scene, view)
-look_at(scene, view)
-local = picture(view, "local")
-simple.ResetSession()
 
-with socket.socket() as probe:
-    probe.bind(("127.0.0.1", 0))
-    port = probe.getsockname()[1]
-environment = dict(os.environ)
-server = subprocess.Popen(
-    [os.environ["EXABRICKS_PVSERVER"], f"--server-port={port}", "--force-offscreen-rendering"],
-    env=environment, stdout=subprocess.PIPE, text=True)
-accepts = threading.Event()
+def start_server(ranks):
+    """The server, and the port at which it accepts connections."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    command = [os.environ["EXABRICKS_PVSERVER"], f"--server-port={port}", "--force-offscreen-rendering"]
+    if ranks > 1:
+        command = [os.environ["EXABRICKS_MPIEXEC"], "-n", str(ranks), *command]
+    environment = dict(os.environ)
+    environment.pop("EXABRICKS_DEVICE", None)
+    server = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+    accepts = threading.Event()
+
+    def listen():
+        for line in server.stdout:
+            print("server:", line, end="", flush=True)
+            if "Accepting connection" in line:
+                accepts.set()
+
+    threading.Thread(target=listen, daemon=True).start()
+    if not accepts.wait(timeout=200.0):
+        server.kill()
+        raise AssertionError("waited 200 s for the server to accept connections")
+    return server, port
 
 
-def listen():
-    for line in server.stdout:
-        print("server:", line, end="", flush=True)
-        if "Accepting connection" in line:
-            accepts.set()
-
-
-threading.Thread(target=listen, daemon=True).start()
-try:
-    assert accepts.wait(timeout=200.0), "waited 200 s for the server to accept connections"
+def look_from_client(port, local):
     # The client has no device: what it shows must be the server's.
     os.environ["EXABRICKS_DEVICE"] = "abacus"
     simple.Connect("127.0.0.1", port)
@@ -61,5 +62,24 @@ try:
     cells.UpdatePipeline()
     assert cells.GetDataInformation().GetNumberOfCells() > 0
     simple.Disconnect()
+
+
+# The picture of one process.
+load_plugin()
+scene = make_scene()
+view = make_view()
+display = show(scene, view)
+look_at(scene, view)
+local = picture(view, "local")
+simple.ResetSession()
+
+ranks = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+server, port = start_server(ranks)
+try:
+    look_from_client(port, local)
 finally:
-    server.kill()
+    server.terminate()  # mpiexec ends its ranks
+    try:
+        server.wait(timeout=30.0)
+    except subprocess.TimeoutExpired:
+        server.kill()

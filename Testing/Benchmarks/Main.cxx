@@ -6,6 +6,7 @@
 #include "Machine.h"
 #include "MarchCounts.h"
 #include "Measure.h"
+#include "RankCosts.h"
 #include "Request.h"
 
 #include "Display.h"
@@ -208,6 +209,15 @@ void printMarch(const Request& request)
   }
 }
 
+void printRanks(const Request& request)
+{
+  std::cout << RankCostsHeader << std::endl;
+  for (const SceneKind& kind : chooseScenes(request))
+  {
+    printRankCosts(kind.make(request.leafCells), request.plan.size, request.ranks);
+  }
+}
+
 void run(const Request& request)
 {
   switch (request.task)
@@ -223,6 +233,10 @@ void run(const Request& request)
       if (request.march)
       {
         printMarch(request);
+      }
+      if (request.ranks > 0)
+      {
+        printRanks(request);
       }
       if (!request.folder.empty())
       {

@@ -82,6 +82,11 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
     .add_flag("--march", request.march,
       "Print what a march does in the scenes (samples, regions, lanes that are on), as CSV")
     ->group("What");
+  app
+    .add_option("--ranks", request.ranks,
+      "Print what up to so many processes cost in the scenes (cells, bytes, time), as CSV")
+    ->check(CLI::Range(1, 65536))
+    ->group("What");
   app.add_flag("--structure", request.structure, "Print time and memory by size of bricks, as CSV")
     ->group("What");
   app.add_flag("--list", texts.list, "Say which scenes and methods there are")->group("What");
@@ -137,7 +142,8 @@ void addOptions(CLI::App& app, Request& request, Texts& texts)
 void chooseTask(const Texts& texts, Request& request)
 {
   const bool measures = texts.quick || texts.full || !request.scenes.empty() ||
-    !request.input.draw.Input.empty() || request.growth || request.structure || request.march;
+    !request.input.draw.Input.empty() || request.growth || request.structure || request.march ||
+    request.ranks > 0;
   if (texts.quick && texts.full)
   {
     refuse("--quick and --full exclude one another.");
@@ -151,7 +157,7 @@ void chooseTask(const Texts& texts, Request& request)
   {
     refuse("Nothing to measure: give --quick, --full, --scenes or an input.");
   }
-  if (request.folder.empty() && !request.structure && !request.march)
+  if (request.folder.empty() && !request.structure && !request.march && request.ranks == 0)
   {
     refuse("--output is missing: the folder that results are written to.");
   }

@@ -29,6 +29,7 @@ struct Request
   bool full = false;
   bool structure = false; // the sweep of brick sizes
   bool march = false;     // what a march does
+  int ranks = 0;          // most processes to simulate; 0: none
   Plan plan;
 };
 

@@ -3,6 +3,7 @@
 // says.
 #include "AMR.h"
 #include "Checks.h"
+#include "GreatestAllocation.h"
 #include "Stage.h"
 
 #include "vtkExaBricksBuilder.h"
@@ -265,6 +266,54 @@ void checkFaults(test::Checks& checks, vtkMPIController* controller)
     : checks.Silent(said, "those with one");
   vtkMultiProcessController::SetGlobalController(nullptr);
 }
+
+// A process runs out of memory while the AMR is shared out, and then while its part is made ready:
+// the others do not wait for it, and all is well when there is memory again.
+void checkMemory(test::Checks& checks, vtkMPIController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  const int ranks = controller->GetNumberOfProcesses();
+  const std::size_t little = 4096; // bytes: less than what comes from any other process
+  test::Messages messages;
+  const auto memory = [&]
+  {
+    return rank == 2 ? std::make_unique<test::GreatestAllocation>(little)
+                     : std::make_unique<test::GreatestAllocation>();
+  };
+  vtkNew<vtkExaBricksRedistribute> redistribute;
+  redistribute->SetController(controller);
+  redistribute->SetInputData(deal(rank, ranks));
+  {
+    const auto limit = memory();
+    redistribute->Update();
+  }
+  checks.Equal(countBlocks(outputOf(redistribute)), 0, "blocks without memory");
+  const std::string said = messages.TakeErrors();
+  const std::vector<std::string> words{ "process 2 of " + std::to_string(ranks), "out of memory" };
+  rank == 0 ? checks.Says(said, words, "without memory") : checks.Silent(said, "without memory");
+  redistribute->Modified();
+  redistribute->Update();
+  checks.Expect(countBlocks(outputOf(redistribute)) > 0, "with memory again");
+
+  test::KeepDisplay display;
+  vtkMultiProcessController::SetGlobalController(controller);
+  test::Stage part(outputOf(redistribute));
+  part.Property()->GetScalarOpacity()->AddPoint(0.0, 0.5);
+  part.Property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  {
+    // Drivers of OpenGL do not expect to be without memory: the rest of a picture has it.
+    const auto limit = memory();
+    part.mapper->Update();
+  }
+  const std::string saidOfPart = messages.TakeErrors();
+  rank == 2 ? checks.Says(saidOfPart, { "memory" }, "a part without memory")
+            : checks.Silent(saidOfPart, "parts with memory");
+  part.mapper->Modified();
+  part.window->Render();
+  checks.Expect(part.mapper->GetDrawn(), "a part with memory again");
+  checks.Silent(messages.TakeErrors(), "with memory again");
+  vtkMultiProcessController::SetGlobalController(nullptr);
+}
 }
 
 int main(int argc, char* argv[])
@@ -280,6 +329,7 @@ int main(int argc, char* argv[])
     checkTimeSteps(checks, controller);
     checkMessages(checks, controller);
     checkFaults(checks, controller);
+    checkMemory(checks, controller);
     status = checks.Status();
   }
   int worst = EXIT_SUCCESS;

@@ -96,6 +96,21 @@ class ReportTest(unittest.TestCase):
         self.assert_chart("main", ["#000000", "#D55E00", "#FFE28A"])
         self.assertIn("![main](main.png)", page)
 
+    def test_ranks_have_what_they_cost(self):
+        self.write_scenes("Wind")
+        self.write("results.csv", RESULTS, [result("basis, k-d tree", "ours", 1, 200, 55)])
+        columns = ("scene", "leaf_cells", "blocks", "ranks", "drawn_most", "drawn_mean", "held_most", "host_bytes_most",
+                   "device_bytes_most", "received_bytes_most", "cut_s", "exchange_s", "structure_s", "picture_s",
+                   "compositing_s")
+        self.write("ranks.csv", columns, [
+            dict(zip(columns, ("Wind", 8e6, 64, ranks, 8e6 / ranks, 8e6 / ranks, 9e6 / ranks, 2e8 / ranks, 4e7 / ranks,
+                               3e7 / ranks, 0.5, 0.1, 0.2 / ranks, 4 / ranks, 0.01))) for ranks in (1, 2, 8)])
+        page = self.report()
+        # Eight of them, two not being told of: cells to draw, and how many are held for that.
+        self.assertIn("| Wind | 8 | 1 | 1.12 |", page)
+        self.assertNotIn("| Wind | 2 |", page)
+        self.assert_chart("ranks", ["#000000", "#0072B2"])
+
     def test_peers_that_were_not_drawn_have_no_numbers(self):
         self.write_scenes("Wind")
         self.write("results.csv", RESULTS, [

@@ -9,7 +9,8 @@ import pandas
 from page import markdown, milliseconds, number, read_csv, span, three_digits
 
 MADE_BY = "exabricks-benchmark --quick --output <folder>"
-MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv", "features.csv", "motion.csv")
+MEASURED = ("results.csv", "scenes.csv", "growth.csv", "changes.csv", "machine.csv", "features.csv", "motion.csv",
+            "ranks.csv")
 
 # What the renderer was asked to reach.
 TARGET_SCENE = "rt_medium magvort, scene"
@@ -23,6 +24,7 @@ MOST_SAMPLES = 0.5
 DEFAULT_STEP = 1.0
 MAPPER = "vtkExaBricksVolumeMapper"
 BY_TOLERANCE, OF_ALL_LEVELS = "basis, by tolerance", "by tolerance, all levels"
+RANKS_TOLD = (1, 8, 64, 512, 4096)
 MB = 1.048576  # of a MiB: the source writes memory in units of 10^6 bytes
 
 
@@ -37,6 +39,10 @@ def load(folder):
         "features": read_csv(folder, "features.csv", ["feature", "method", "value", "wall_ms", "cpu_ms", "db"]),
         "motion": read_csv(folder, "motion.csv", [
             "scene", "method", "allowed_ms", "taken_ms", "cpu_ms", "taken_of_allowed", "least", "most", "db", "distance", "growth", "levels"]),
+        "ranks": read_csv(folder, "ranks.csv", [
+            "scene", "leaf_cells", "blocks", "ranks", "drawn_most", "drawn_mean", "held_most", "host_bytes_most",
+            "device_bytes_most", "received_bytes_most", "cut_s", "exchange_s", "structure_s", "picture_s",
+            "compositing_s"]),
     }
     for name in ("scenes", "growth"):
         data[name] = read_csv(folder, f"{name}.csv", [
@@ -335,5 +341,21 @@ def motion_table(data):
     return markdown(["", "", *(f"{time:.0f} ms" for time in allowed)], rows) if rows else None
 
 
-TABLES = {"features": features_table, "motion": motion_table, "machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
+def ranks_table(data):
+    """What several ranks cost, for some numbers of them."""
+    def mebibytes(count):
+        return three_digits(count / 2.0**20)
+
+    table = data["ranks"]
+    if table.empty:
+        return None
+    rows = [[s.scene, s.ranks, f"{s.drawn_most / 1e6:.3g}", f"{s.held_most / s.drawn_most:.2f}", mebibytes(s.host_bytes_most),
+             mebibytes(s.device_bytes_most), mebibytes(s.received_bytes_most), *(f"{seconds:.2g}" for seconds in (
+                 s.cut_s, s.exchange_s, s.structure_s, s.picture_s, s.compositing_s))]
+            for s in table[table.ranks.isin(RANKS_TOLD)].itertuples()]
+    return markdown(["scene", "ranks", "10⁶ cells to draw, most", "cells held, of them", "host MiB", "device MiB", "received MiB",
+                     "seconds: cut", "exchange", "structure", "picture", "compositing"], rows)
+
+
+TABLES = {"features": features_table, "motion": motion_table, "ranks": ranks_table, "machine": machine_table, "scenes": scenes_table, "targets": targets_table, "peers": peers_table,
           "source_times": source_times_table, "source_memory": source_memory_table, "changes": changes_table}

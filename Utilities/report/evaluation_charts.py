@@ -299,7 +299,42 @@ def growth_memory(data):
         ("bricks", lambda t: t.bricks_mib, plot.VERMILION, "D", "-")])], 3.1)
 
 
-PAGE_CHARTS = {"main": main, "features": features, "motion": motion, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
+def ranks(data):
+    """Time and memory of a rank against their number: one column for each scene."""
+    table = data["ranks"]
+    if table.empty:
+        return None
+    scenes = table.scene.unique()
+    drawn, grid = plot.figure(len(scenes), 2, width=1.8 + 3.0 * len(scenes), height=5.6, sharex=True, sharey="row", squeeze=False)
+    times = (("cutting, on each rank", "cut_s", plot.VERMILION, "D"), ("exchange", "exchange_s", plot.GREEN, "v"),
+             ("structure", "structure_s", plot.PURPLE, "P"), ("picture, step 1", "picture_s", plot.BLACK, "o"),
+             ("compositing", "compositing_s", plot.SKY, "s"))
+    memory = (("host", "host_bytes_most", plot.GREY, "o"), ("device", "device_bytes_most", plot.BLUE, "s"),
+              ("received", "received_bytes_most", plot.GREEN, "v"))
+    for column, scene in enumerate(scenes):
+        lines = table[table.scene == scene]
+        for name, what, color, marker in times:
+            some = lines[lines[what] > 0.0]
+            grid[0][column].plot(some.ranks, some[what], color=color, marker=marker, label=name)
+        for name, what, color, marker in memory:
+            some = lines[lines[what] > 0.0]
+            grid[1][column].plot(some.ranks, some[what] / 2.0**20, color=color, marker=marker, label=name)
+        first = lines.iloc[0]
+        grid[1][column].plot(lines.ranks, first.device_bytes_most / 2.0**20 / lines.ranks, color=plot.BLUE, linestyle=":",
+                             label="device, without cells around")
+        grid[0][column].set_title(f"{scene}, {first.leaf_cells / 1e6:.0f} million cells", loc="left")
+        grid[1][column].set_xlabel("ranks")
+        for axes in (grid[0][column], grid[1][column]):
+            plot.logarithmic(axes.xaxis, None)
+            plot.logarithmic(axes.yaxis, None)
+    plot.label(grid[0][0], f"{scenes[0]}, {table.leaf_cells.iloc[0] / 1e6:.0f} million cells", y="time of the slowest / s")
+    plot.label(grid[1][0], y="memory of the largest / MiB")
+    plot.legend(grid[0][-1])
+    plot.legend(grid[1][-1])
+    return drawn
+
+
+PAGE_CHARTS = {"main": main, "features": features, "motion": motion, "ranks": ranks, "peers": peers, "tolerance": tolerance, "ablations": ablations, "growth_time": growth_time,
                "growth_memory": growth_memory}
 
 
