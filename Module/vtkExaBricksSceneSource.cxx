@@ -11,8 +11,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 #include <string>
@@ -91,11 +93,22 @@ int vtkExaBricksSceneSource::FillOutputPortInformation(int port, vtkInformation*
   return 1;
 }
 
+int vtkExaBricksSceneSource::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
 int vtkExaBricksSceneSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkOverlappingAMR* amr = vtkOverlappingAMR::GetData(outputVector, 0);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, 1);
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const exabricks::Piece piece{ info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) };
   this->Internals->Made = {};
   this->Internals->Unfinished.set(false);
   if (this->NumberOfLeafCells < this->GetLeastNumberOfLeafCells())
@@ -114,7 +127,7 @@ int vtkExaBricksSceneSource::RequestData(
       this->UpdateProgress(done);
       return !exabricks::isAborted(this);
     };
-    if (!exabricks::writeAMR(made.hierarchy, *made.cells, "value", amr, progress))
+    if (!exabricks::writeAMR(made.hierarchy, *made.cells, "value", amr, progress, piece))
     {
       amr->Initialize();
       return 1;

@@ -14,7 +14,8 @@
  * unit); cells under finer ones are marked REFINEDCELL in vtkGhostType. Lengths have no unit
  * either; the largest side of a scene is 1 to 3, of Exajet 8 for each finest cell. Output port 1
  * is a vtkPolyData, the opaque surface inside Gear and Exajet, empty for the others. Camera and
- * volume property are set to the scene's own view:
+ * volume property are set to the scene's own view. Of several processes that ask for a piece each,
+ * as ParaView's do, each has blocks of its own, dealt in turn, and the boxes of all:
  *
  * @code
  * vtkNew<vtkExaBricksSceneSource> source;
@@ -125,6 +126,8 @@ protected:
   ~vtkExaBricksSceneSource() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkAMRBox, vtkOverlappingAMR, vtkUnifo
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 BLOCK = 16  # cells along an axis
-XYZ_GRID = 7  # vtkStructuredData's
+XYZ_GRID = 8  # VTK_XYZ_GRID, which has no name in Python
 WIDTHS = (1.0 / 64, 1.0 / 128)  # of cells, by level
 
 

@@ -114,7 +114,7 @@ void fill(const CellSource& cells, int block, const Box& box, float* to)
 }
 
 bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* name,
-  vtkOverlappingAMR* amr, const Progress& progress)
+  vtkOverlappingAMR* amr, const Progress& progress, const Piece& piece)
 {
   expectMemory(hierarchy);
   initialize(hierarchy, amr);
@@ -124,6 +124,16 @@ bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* n
   std::vector<unsigned int> next(hierarchy.levels(), 0);
   for (const Block& block : hierarchy.blocks)
   {
+    const unsigned int level = static_cast<unsigned int>(block.level);
+    const unsigned int number = next[level]++;
+    const glm::ivec3 first(block.cells.lo);
+    const glm::ivec3 last(block.cells.hi - std::int64_t(1));
+    amr->SetAMRBox(level, number, vtkAMRBox(&first.x, &last.x));
+    if (!piece.has(number))
+    {
+      arrays.emplace_back(nullptr);
+      continue;
+    }
     const vtkIdType size = static_cast<vtkIdType>(block.cells.volume());
     auto grid = makeGrid(hierarchy, block);
     vtkNew<vtkFloatArray> values;
@@ -137,12 +147,7 @@ bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* n
     grid->GetCellData()->SetScalars(values);
     grid->GetCellData()->AddArray(marks);
     arrays.emplace_back(values);
-
-    const unsigned int level = static_cast<unsigned int>(block.level);
-    const glm::ivec3 first(block.cells.lo);
-    const glm::ivec3 last(block.cells.hi - std::int64_t(1));
-    amr->SetAMRBox(level, next[level], vtkAMRBox(&first.x, &last.x));
-    amr->SetDataSet(level, next[level]++, grid);
+    amr->SetDataSet(level, number, grid);
   }
 
   // Filled in parts, so that progress can be told between them.
@@ -158,7 +163,10 @@ bool writeAMR(const Hierarchy& hierarchy, const CellSource& cells, const char* n
 #pragma omp parallel for schedule(dynamic, 4)
     for (int b = begin; b < end; ++b)
     {
-      failure.guard([&] { fill(cells, b, hierarchy.blocks[b].cells, arrays[b]->GetPointer(0)); });
+      if (arrays[b])
+      {
+        failure.guard([&] { fill(cells, b, hierarchy.blocks[b].cells, arrays[b]->GetPointer(0)); });
+      }
     }
     failure.rethrow();
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Parts.h"
 
+#include "Core/FirstException.h"
 #include "Layout.h"
 
+#include <array>
 #include <cmath>
 
 namespace exabricks
@@ -16,6 +18,8 @@ constexpr std::int64_t StepsBeyond = layout::PART_REACH;
 constexpr std::int64_t CellsToComplete = 3;
 // How much more or less than wanted one side of a cut may have, of all.
 constexpr double Imbalance = 0.0125;
+// Fewer are looked through faster than threads are started.
+constexpr std::size_t LeavesForThreads = 10000;
 // What a cut costs, beside the area in which it goes through supports, of its whole area: cells on
 // both sides of it are held twice.
 constexpr double CostOfArea = 0.1;
@@ -42,37 +46,64 @@ double areaAcross(const Box& box, int axis)
   return size[(axis + 1) % 3] * size[(axis + 2) % 3];
 }
 
-// Cells below a plane.
-double cellsBelow(const std::vector<Filled>& leaves, int axis, std::int64_t plane)
+// A leaf box along one axis, and how many cells there are to a length of one.
+struct Extent
 {
-  double cells = 0.0;
+  std::int64_t lo;
+  std::int64_t hi;
+  double cells;
+
+  double below(std::int64_t plane) const
+  {
+    return this->cells *
+      static_cast<double>(std::clamp<std::int64_t>(plane - this->lo, 0, this->hi - this->lo));
+  }
+};
+
+std::vector<Extent> extentsAlong(const std::vector<Filled>& leaves, int axis)
+{
+  std::vector<Extent> extents;
+  extents.reserve(leaves.size());
   for (const Filled& leaf : leaves)
   {
-    const std::int64_t length = std::min(plane, leaf.box.hi[axis]) - leaf.box.lo[axis];
-    if (length > 0)
-    {
-      cells += leaf.density * static_cast<double>(length) * areaAcross(leaf.box, axis);
-    }
+    extents.push_back(
+      { leaf.box.lo[axis], leaf.box.hi[axis], leaf.density * areaAcross(leaf.box, axis) });
+  }
+  return extents;
+}
+
+double cellsBelow(const std::vector<Extent>& extents, std::int64_t plane)
+{
+  double cells = 0.0;
+  for (const Extent& extent : extents)
+  {
+    cells += extent.below(plane);
   }
   return cells;
 }
 
-// The least plane within the box with at least so many cells below.
-std::int64_t findPlane(const std::vector<Filled>& leaves, const Box& box, int axis, double cells)
+// The least plane of those from `low` to `high` with at least so many cells below. What is known to
+// lie below or above it is not looked at again, so that all halvings cost about as much as two.
+std::int64_t findPlane(std::vector<Extent> open, std::int64_t low, std::int64_t high, double cells)
 {
-  std::int64_t low = box.lo[axis] + 1;
-  std::int64_t high = box.hi[axis] - 1;
+  double settled = 0.0; // of those below
   while (low < high)
   {
     const std::int64_t middle = low + (high - low) / 2;
-    if (cellsBelow(leaves, axis, middle) < cells)
+    const bool isAbove = settled + cellsBelow(open, middle) < cells;
+    low = isAbove ? middle + 1 : low;
+    high = isAbove ? high : middle;
+    std::size_t kept = 0;
+    for (const Extent& extent : open)
     {
-      low = middle + 1;
+      const bool isBelow = extent.hi <= low;
+      settled += isBelow ? extent.below(low) : 0.0;
+      if (!isBelow && extent.lo < high)
+      {
+        open[kept++] = extent;
+      }
     }
-    else
-    {
-      high = middle;
-    }
+    open.resize(kept);
   }
   return low;
 }
@@ -131,35 +162,61 @@ public:
   }
 
 private:
-  // Across which axis, and where: of the planes that balance the cells, the one that goes through
-  // the fewest supports, as regions end at their faces.
+  // Across which axis, and where.
   Candidate Choose(const Box& box, const std::vector<Filled>& leaves,
     const std::vector<Box>& supports, double fraction) const
   {
-    Candidate best;
+    std::array<Candidate, 3> candidates;
+    FirstException failure;
+#pragma omp parallel for schedule(dynamic) if (leaves.size() > LeavesForThreads)
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double all = cellsBelow(leaves, axis, box.hi[axis]);
-      if (box.size()[axis] < 2 || !(all > 0.0))
+      failure.guard(
+        [&] { candidates[axis] = this->ChooseAcross(axis, box, leaves, supports, fraction); });
+    }
+    failure.rethrow();
+    Candidate best;
+    for (const Candidate& candidate : candidates)
+    {
+      if (candidate.axis >= 0 && (best.axis < 0 || candidate.cost < best.cost))
       {
-        continue;
-      }
-      const std::int64_t low = findPlane(leaves, box, axis, (fraction - Imbalance) * all);
-      const std::int64_t ideal = findPlane(leaves, box, axis, fraction * all);
-      const std::int64_t high = findPlane(leaves, box, axis, (fraction + Imbalance) * all);
-      const std::int64_t plane = this->ChoosePlane(supports, axis, low, ideal, high);
-      const double cost = this->AreaCut(supports, axis, plane) + CostOfArea * areaAcross(box, axis);
-      const double below = cellsBelow(leaves, axis, plane) / all;
-      const bool balanced = std::abs(below - fraction) <= 2.0 * Imbalance;
-      // One that does not balance is better than none.
-      const double whole = box.size().x * 4.0 * box.size().y + 4.0 * areaAcross(box, 0);
-      const double total = balanced ? cost : cost + whole * 100.0 * std::abs(below - fraction);
-      if (below > 0.0 && below < 1.0 && (best.axis < 0 || total < best.cost))
-      {
-        best = { axis, plane, total };
+        best = candidate;
       }
     }
     return best;
+  }
+
+  // Of the planes that balance the cells, the one that goes through the fewest supports, as regions
+  // end at their faces.
+  Candidate ChooseAcross(int axis, const Box& box, const std::vector<Filled>& leaves,
+    const std::vector<Box>& supports, double fraction) const
+  {
+    if (box.size()[axis] < 2)
+    {
+      return {};
+    }
+    const std::vector<Extent> extents = extentsAlong(leaves, axis);
+    const double all = cellsBelow(extents, box.hi[axis]);
+    if (!(all > 0.0))
+    {
+      return {};
+    }
+    const auto findShare = [&](double share)
+    { return findPlane(extents, box.lo[axis] + 1, box.hi[axis] - 1, share * all); };
+    const std::int64_t low = findShare(fraction - Imbalance);
+    const std::int64_t ideal = findShare(fraction);
+    const std::int64_t high = findShare(fraction + Imbalance);
+    const std::int64_t plane = this->ChoosePlane(supports, axis, low, ideal, high);
+    const double below = cellsBelow(extents, plane) / all;
+    if (!(below > 0.0 && below < 1.0))
+    {
+      return {};
+    }
+    const double cost = this->AreaCut(supports, axis, plane) + CostOfArea * areaAcross(box, axis);
+    const bool balanced = std::abs(below - fraction) <= 2.0 * Imbalance;
+    // One that does not balance is better than none.
+    const double whole = box.size().x * 4.0 * box.size().y + 4.0 * areaAcross(box, 0);
+    return { axis, plane, balanced ? cost : cost + whole * 100.0 * std::abs(below - fraction) };
   }
 
   double AreaCut(const std::vector<Box>& supports, int axis, std::int64_t plane) const
@@ -176,21 +233,28 @@ private:
   std::int64_t ChoosePlane(const std::vector<Box>& supports, int axis, std::int64_t low,
     std::int64_t ideal, std::int64_t high) const
   {
-    // What begins and ends where: the area that is cut changes there alone.
+    // What begins and ends where between them: the area that is cut changes there alone.
     std::vector<std::pair<std::int64_t, double>> begins;
     std::vector<std::pair<std::int64_t, double>> ends;
     std::vector<std::int64_t> planes{ ideal };
+    double begun = 0.0;
+    double ended = 0.0;
     for (const Box& support : supports)
     {
+      const std::int64_t lo = support.lo[axis];
+      const std::int64_t hi = support.hi[axis];
       const double area = areaAcross(support, axis);
-      begins.emplace_back(support.lo[axis], area);
-      ends.emplace_back(support.hi[axis], area);
-      for (const std::int64_t face : { support.lo[axis], support.hi[axis] })
+      begun += lo < low ? area : 0.0;
+      ended += hi < low ? area : 0.0;
+      if (lo >= low && lo <= high)
       {
-        if (face >= low && face <= high)
-        {
-          planes.push_back(face);
-        }
+        begins.emplace_back(lo, area);
+        planes.push_back(lo);
+      }
+      if (hi >= low && hi <= high)
+      {
+        ends.emplace_back(hi, area);
+        planes.push_back(hi);
       }
     }
     std::sort(begins.begin(), begins.end());
@@ -199,8 +263,6 @@ private:
     std::int64_t best = ideal;
     double least = 0.0;
     bool any = false;
-    double begun = 0.0;
-    double ended = 0.0;
     std::size_t b = 0;
     std::size_t e = 0;
     for (const std::int64_t plane : planes)

@@ -95,8 +95,10 @@ void vtkSMExaBricksRepresentationProxy::WarnOfUnusedSettings()
   vtkSMProxy* parent = this->GetParentProxy();
   std::string settings = exabricks::describeUnusedSettings(parent);
   const double distance = vtkSMPropertyHelper(this, "OpacityUnitDistance").GetAsDouble();
-  if (!this->Internals->VolumeUnitDistance.isKept() &&
-    vtkSMPropertyHelper(parent, "ScalarOpacityUnitDistance", true).GetAsDouble() != distance)
+  // Where there were no data yet, as in a script for Catalyst, ParaView has left the XML file's.
+  vtkSMProperty* ofVolume = parent->GetProperty("ScalarOpacityUnitDistance");
+  if (ofVolume && !ofVolume->IsValueDefault() && !this->Internals->VolumeUnitDistance.isKept() &&
+    vtkSMPropertyHelper(ofVolume).GetAsDouble() != distance)
   {
     settings += (settings.empty() ? "" : "; ") +
       std::string("ScalarOpacityUnitDistance (set OpacityUnitDistance, which is ") +

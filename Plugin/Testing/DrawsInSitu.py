@@ -21,8 +21,10 @@ def simulate(ranks):
         old.unlink()
     command = [os.environ["EXABRICKS_MPIEXEC"], "-n", str(ranks), os.environ["EXABRICKS_PVBATCH"], "--sym",
                str(EXAMPLE / "simulation.py"), str(EXAMPLE / "catalyst_script.py"), str(STEPS)]
-    done = subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, cwd=folder, env=environment_of_ranks(), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
     print(done.stdout)
+    assert done.returncode == 0, done.returncode
     assert "ExaBricks" not in done.stdout, "ExaBricks says something"
     return [read_picture(str(folder / "pictures" / f"step{step:02d}.png")) for step in range(STEPS)]
 

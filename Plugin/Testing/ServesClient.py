@@ -19,7 +19,7 @@ def start_server(ranks):
     command = [os.environ["EXABRICKS_PVSERVER"], f"--server-port={port}", "--force-offscreen-rendering"]
     if ranks > 1:
         command = [os.environ["EXABRICKS_MPIEXEC"], "-n", str(ranks), *command]
-    environment = dict(os.environ)
+    environment = environment_of_ranks()
     environment.pop("EXABRICKS_DEVICE", None)
     server = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     accepts = threading.Event()

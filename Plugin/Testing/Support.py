@@ -130,6 +130,13 @@ def make_empty():
     return empty
 
 
+def environment_of_ranks():
+    """For mpiexec, without what this process's own MPI tells of itself: it would be taken for mpiexec's own."""
+    kept = ("OMPI_ALLOW", "OMPI_MCA_rmaps", "PRTE_MCA_rmaps")
+    return {name: value for name, value in os.environ.items()
+            if not name.startswith(("OMPI_", "PMIX_", "PRTE_")) or name.startswith(kept)}
+
+
 def statistics(display):
     """What the panel tells of the last picture."""
     return display.SMProxy.GetProperty("Statistics").GetElement(0)

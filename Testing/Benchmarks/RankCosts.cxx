@@ -43,8 +43,7 @@ class SamplesOfCells
 {
 public:
   SamplesOfCells(const Model& model, const Size& size)
-    : Corner(model.hierarchy.origin)
-    , Spacing(model.hierarchy.spacing)
+    : Spacing(model.hierarchy.spacing)
     , Eye(model.camera.position)
     , Ahead(glm::normalize(model.camera.focalPoint - model.camera.position))
     , Right(glm::normalize(glm::cross(this->Ahead, model.camera.viewUp)))
@@ -59,7 +58,7 @@ public:
   double of(const Box& halfCells, std::int64_t width) const
   {
     const glm::dvec3 middle = 0.25 * glm::dvec3(halfCells.lo + halfCells.hi);
-    const glm::dvec3 way = this->Corner + this->Spacing * middle - this->Eye;
+    const glm::dvec3 way = this->Spacing * middle - this->Eye;
     const double far = glm::dot(way, this->Ahead);
     const double half = this->Slope > 0.0 ? far * this->Slope : this->ParallelScale;
     if (!(far > 0.0) || std::abs(glm::dot(way, this->Up)) > half ||
@@ -74,7 +73,6 @@ public:
   }
 
 private:
-  const glm::dvec3 Corner;
   const glm::dvec3 Spacing;
   const glm::dvec3 Eye;
   const glm::dvec3 Ahead;

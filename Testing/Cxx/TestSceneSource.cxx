@@ -20,6 +20,8 @@
 #include "vtkProperty.h"
 #include "vtkStringArray.h"
 
+#include <array>
+
 namespace
 {
 constexpr int Size = 96;
@@ -165,6 +167,36 @@ void checkSurfaceCutsVolume(test::Checks& checks)
     "the surface hides some of the volume, found a share of " + std::to_string(share));
 }
 
+// Several processes have blocks of their own, which are together those of one.
+void checkPieces(test::Checks& checks)
+{
+  vtkNew<vtkExaBricksSceneSource> source;
+  source->SetNumberOfLeafCells(60000);
+  const auto count = [&](int piece, int pieces)
+  {
+    source->UpdatePiece(piece, pieces, 0);
+    std::array<vtkIdType, 2> found{ 0, 0 }; // blocks, cells
+    exabricks::forEachBlock(source->GetOutput(),
+      [&](vtkDataSet* block)
+      {
+        ++found[0];
+        found[1] += block->GetNumberOfCells();
+      });
+    return found;
+  };
+  const std::array<vtkIdType, 2> all = count(0, 1);
+  std::array<vtkIdType, 2> sum{ 0, 0 };
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    const std::array<vtkIdType, 2> own = count(piece, 3);
+    checks.Expect(own[0] > 0 && own[0] < all[0], "a piece has some of the blocks");
+    checks.Equal(exabricks::numberOfBlocks(source->GetOutput(), 0) > 0, true, "boxes of all");
+    sum = { sum[0] + own[0], sum[1] + own[1] };
+  }
+  checks.Equal(sum[0], all[0], "blocks of all pieces");
+  checks.Equal(sum[1], all[1], "cells of all pieces");
+}
+
 void checkMessages(test::Checks& checks)
 {
   test::Messages messages;
@@ -196,6 +228,7 @@ int TestSceneSource(int, char*[])
     checkPicture(checks, scene);
   }
   checkSurfaceCutsVolume(checks);
+  checkPieces(checks);
   checkMessages(checks);
   return checks.Status();
 }
