@@ -8,6 +8,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
 
