@@ -18,6 +18,7 @@ mesh = simple.TrivialProducer(registrationName="mesh")
 view = simple.CreateView("RenderView")
 view.ViewSize = [320, 240]
 view.OrientationAxesVisibility = 0
+view.UseFXAA = 0  # it smooths the picture of several ranks, and leaves a volume as it is on one
 if hasattr(view, "UseColorPaletteForBackground"):
     view.UseColorPaletteForBackground = 0
 view.Background = [0.0, 0.0, 0.0]
