@@ -252,7 +252,7 @@ bool findNextCrossing(Course course, Crossing last, out Crossing next)
       {
         // Cells have their surfaces where the next one begins.
         const float at =
-          isNearest ? 0.0 : findCrossing(cubic, places[piece], places[piece + 1]);
+          isNearest ? 0.0 : min(findCrossing(cubic, places[piece], places[piece + 1]), 1.0);
         const Crossing found = Crossing(at, 3 * k + piece, isoValue);
         if (isBefore(last, found) && isBefore(found, next))
         {
