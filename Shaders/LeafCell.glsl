@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which leaf cell a ray is in, and where it leaves it.
 
+// Where the ray passes the first of three planes, one along each axis, but not before `inside`; or `end`, if
+// that is nearer.
+float leaveThrough(Ray ray, ivec3 planes, float inside, float end)
+{
+  vec3 leaves = vec3(planeDistance(ray, planes.x, 0), planeDistance(ray, planes.y, 1),
+    planeDistance(ray, planes.z, 2));
+  // A ray in a plane does not leave through it.
+  leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
+  return min(end, max(min(leaves.x, min(leaves.y, leaves.z)), inside));
+}
+
 // The leaf cell that the ray enters at `distance`: the brick that holds it, where it is there, and
 // `end`, which comes as the end of the region and goes as the end of the cell, if that is nearer. The
 // region lies in leaf cells, so one of its bricks holds the point; by rounding it may miss them all by
@@ -32,13 +43,7 @@ void findHolder(Brick brick, uint others, Ray ray, float distance, inout float e
     brick = nextBrick(others);
   }
   const ivec3 ahead = ivec3(cell) + ivec3(greaterThan(ray.direction, vec3(0.0)));
-  const ivec3 face = holder.lo + 2 * holder.width * ahead;
-  vec3 leaves = vec3(planeDistance(ray, face.x, 0), planeDistance(ray, face.y, 1),
-    planeDistance(ray, face.z, 2));
-  // A ray in a face does not leave through it.
-  leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
-  const float leave = min(leaves.x, min(leaves.y, leaves.z));
-  end = min(end, max(leave, inside));
+  end = leaveThrough(ray, holder.lo + 2 * holder.width * ahead, inside, end);
 }
 
 // The same with the cell's value. False: the cell is absent.

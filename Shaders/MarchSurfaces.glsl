@@ -38,11 +38,7 @@ float leaveLattice(Cursor cursor, Ray ray, float end)
   const vec3 at = (vec3(ray.base - corner) + (ray.fraction + inside * ray.direction)) / float(width);
   const ivec3 plane =
     corner + width * (ivec3(floor(at)) + ivec3(greaterThan(ray.direction, vec3(0.0))));
-  vec3 leaves = vec3(planeDistance(ray, plane.x, 0), planeDistance(ray, plane.y, 1),
-    planeDistance(ray, plane.z, 2));
-  // A ray in a plane does not leave through it.
-  leaves = mix(leaves, vec3(1e30), lessThan(abs(ray.direction), vec3(1e-8)));
-  return min(end, max(min(leaves.x, min(leaves.y, leaves.z)), inside));
+  return leaveThrough(ray, plane, inside, end);
 }
 
 // The least and greatest of the values at corners, of those that are there. Completed ones may lie below 0.

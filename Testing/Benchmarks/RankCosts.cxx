@@ -108,9 +108,9 @@ std::vector<BoxIndex> indexLevels(const LeafBoxes& leaves, std::size_t levels)
 }
 
 const char* const RankCostsHeader =
-  "scene,leaf_cells,blocks,ranks,parts,drawn_most,drawn_mean,held_most,held_mean,received_bytes_"
-  "most,"
-  "host_bytes_most,device_bytes_most,samples_most,samples_mean,cut_s,exchange_s,structure_s,"
+  "scene,leaf_cells,blocks,ranks,parts,drawn_most,drawn_mean,held_most,held_mean,"
+  "received_bytes_most,host_bytes_most,device_bytes_most,samples_most,samples_mean,cut_s,exchange_"
+  "s,structure_s,"
   "picture_s,compositing_s";
 
 void printRankCosts(const Model& model, const Size& size, int most)
